@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/program/change_price.h"
 
+#include "app/program/change_film.h"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -117,7 +119,7 @@ struct Window {
 
     explicit Window(const SolvedProgram& solved)
         : engage(solved.cutter->cycle.tbS / solved.cutter->cycle.cycleTimeS)
-        , cut((solved.cutter->cycle.tbS + solved.cutter->cycle.tcS) / 2 / solved.cutter->cycle.cycleTimeS)
+        , cut(cutShare(solved))
     {
     }
 };

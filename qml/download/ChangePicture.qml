@@ -16,7 +16,7 @@ Item {
     readonly property real most: flat ? 100 : Math.max(100, speeds[2].y)
     readonly property real lead: Math.round(width / 5)   // on both sides, at constant speed
     readonly property real lower: base.y
-    readonly property list<point> corners: flat ? [Qt.point(0, placeOf(100)), Qt.point(width, placeOf(100))]
+    readonly property list<point> corners: speeds.length < 3 ? [Qt.point(0, placeOf(100)), Qt.point(width, placeOf(100))]
         : [Qt.point(0, placeOf(100)), Qt.point(lead, placeOf(100)), Qt.point(lead + (width - 2 * lead) * speeds[1].x / span, placeOf(speeds[1].y)),
            Qt.point(width - lead, placeOf(speeds[2].y)), Qt.point(width, placeOf(speeds[2].y))]
 

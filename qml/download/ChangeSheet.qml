@@ -118,12 +118,28 @@ Sheet {
         below: sheet
         source: "WindowReasonSheet.qml"
     }
-    ChangePicture {
-        id: picture
-        objectName: "changePicture"
+    Item {
+        id: pictures
+        readonly property bool known: sheet.isChanged && !sheet.refused && !sheet.wantsReason
         anchors { left: parent.left; right: parent.right; top: stepChoice.bottom; topMargin: Theme.size.padding; bottom: words.top; bottomMargin: Theme.size.spacing }
-        visible: sheet.isChanged && !sheet.refused && !sheet.wantsReason && height > 2 * Theme.size.body
-        speeds: sheet.load.changeSpeeds
+        ChangePicture {
+            objectName: "changePicture"
+            anchors { left: parent.left; right: parent.right; top: parent.top; bottom: film.visible ? film.top : parent.bottom; bottomMargin: film.visible ? Theme.size.spacing : 0 }
+            visible: pictures.known && height > 2 * Theme.size.body
+            speeds: sheet.load.changeSpeeds
+        }
+        LineFilm {
+            id: film
+            objectName: "changeFilm"
+            anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
+            height: Math.min(parent.height, Math.max(Math.round(parent.height / 2), 6 * Theme.size.caption))
+            visible: pictures.known && cuts.length > 0 && height > 4.5 * Theme.size.caption
+            cuts: sheet.load.changeCuts
+            nextText: sheet.load.changeLength
+            bagLength: NaN
+            position: 0
+            live: false
+        }
     }
     Column {
         id: words
@@ -135,6 +151,7 @@ Sheet {
             wrapMode: Text.WordWrap
             text: sheet.refused && Editor.severity === Editor.Severity.Bad ? Theme.unbroken(Editor.verdict) : sheet.isChanged || sheet.ordered ? Theme.unbroken(sheet.load.text) : Theme.fill(qsTr("The machine runs with %1."), [Theme.joined(sheet.field.text, sheet.field.unit)])
             color: sheet.failed || sheet.refused ? Theme.color.fault : Theme.color.ink
+            font.pixelSize: pictures.known ? Theme.size.caption : Theme.size.body   // leaves the pictures their room
         }
         ProgressBar {
             width: parent.width
@@ -145,6 +162,7 @@ Sheet {
     footer: [
         Button {
             objectName: "changeCancel"
+            level: sheet.busy ? Access.Operator : Access.Viewer
             text: sheet.busy ? qsTr("Cancel download") : qsTr("Close")
             onClicked: sheet.busy ? Editor.cancelDownload() : sheet.closed()
         },

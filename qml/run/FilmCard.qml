@@ -6,7 +6,6 @@ import CamPanel.Theme
 import CamPanel.Controls
 import CamPanel.Parts
 import CamPanel.Panel
-import CamPanel.Plot
 
 Card {
     id: card
@@ -71,44 +70,24 @@ Card {
         color: Theme.color.touch
         font.pixelSize: Theme.size.title
     }
-    FilmPicture {
+    LineFilm {
         id: picture
         objectName: "filmPicture"
         anchors { left: parent.left; right: parent.right; top: state.bottom; bottom: parent.bottom; margins: Theme.size.padding; topMargin: Theme.size.accent; bottomMargin: Theme.size.accent }
-        cuts: card.line.cuts
+        cuts: Controller.run.cuts
+        nextText: Controller.run.nextLength
         marks: card.line.seenMarks
         products: card.line.seenProducts
         scrap: Qt.point(Controller.run.scrapAhead, Controller.bags.isScrap ? 1 : 0)
         nextMark: card.line.nextMarkMm
         position: card.line.filmPositionMm
         speed: card.line.filmSpeedMmPerS
-        bagLength: Controller.active.bagLengthMm
         sensor: card.line.known && card.line.marksWanted ? card.line.sensorMm : NaN
         window: card.line.windowMm
         knifeOpen: card.line.knifeOpen
         faultColor: card.faultAtKnife ? Theme.color.fault : "transparent"
-        stale: !card.fresh
-        live: Theme.animated
+        fresh: card.fresh
         sensorText: qsTr("Mark sensor")
-        knifeText: qsTr("Knife")
-        textFont: Theme.captionFont
-        lengthUnit: Theme.shownUnit("mm")
-        lengthFactor: Theme.unitFactor("mm")
-        filmColor: card.fresh ? Theme.color.touchTint : Theme.color.inset
-        edgeColor: Theme.color.target
-        markColor: Theme.color.ink
-        windowColor: Theme.color.touch
-        productColor: Theme.color.sync
-        cutColor: Theme.color.ink
-        skippedColor: Theme.color.warning
-        knifeColor: Theme.color.ink
-        textColor: card.fresh ? Theme.color.secondaryInk : Theme.color.disabledInk
-        staleColor: Theme.color.target
-        Binding {
-            target: picture
-            property: "locale"
-            value: Theme.locale
-        }
         Connections {
             target: Controller
             function onLiveChanged(): void {

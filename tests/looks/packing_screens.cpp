@@ -74,7 +74,7 @@ void showScrap(TestWindow& window)
     const panel::ControllerProgram program = *controller.program();
     modbus::StatusBlock status = *controller.status();
     ++status.generation;
-    controller.run()->announceChange({2, 5, 2, 660, 13.7}, 250);
+    controller.run()->announceChange({2, 5, 2, 660, 13.7}, {.fromMm = 200, .toMm = 250});
     emit window.link().statusReceived({{{window.link().now(), status}}, 0});
     emit window.link().programRead({status.generation, program.crc, program.registers, program.list});
     Packer packer;
@@ -84,6 +84,24 @@ void showScrap(TestWindow& window)
     packer.set("packer.bag_number", 2);
     packer.setRaw("packer.bags", 4 * 2 + 3, 1U << 8U | 1U << static_cast<unsigned>(modbus::BagBit::StartUp));
     packer.tell(window.link());
+}
+
+// Shows a machine that slows down for a change of length: the controller has the program and waits for the
+// boundary.
+void showArmedChange(TestWindow& window)
+{
+    window.tap(QStringLiteral("nav_run"));
+    panel::Controller& controller = window.panel().controller();
+    const double bagMm = controller.active().bagLengthMm;
+    modbus::StatusBlock status = *controller.status();
+    status.stagedState = modbus::StagedState::Armed;
+    controller.run()->announceChange({2, 2, 0, 0, 4.7}, {.fromMm = bagMm,
+                                                         .toMm = bagMm - 60,
+                                                         .cutToEndMm = bagMm / 2,
+                                                         .endToCutMm = bagMm / 2 - 30,
+                                                         .scrap = 2});
+    emit window.link().statusReceived({{{window.link().now(), status}}, 0});
+    following().tell(window.link());
 }
 
 // Shows marks that vary with the film's slip and the sensor's scatter, always the same.
@@ -173,6 +191,7 @@ QList<Screen> packingScreens()
              }},
             {QStringLiteral("packing"), openSection},
             {QStringLiteral("run-scrap"), showScrap},
+            {QStringLiteral("run-change-armed"), showArmedChange},
             {QStringLiteral("packing-suggested"),
              [](TestWindow& window) {
                  openSection(window);

@@ -183,7 +183,7 @@ private slots:
         QVERIFY2(!m_window->find(u"changeApply"_s)->isEnabled(), "nothing is changed");
         tap("changeMore");
         QCOMPARE(editor().field(field)->value(), after);
-        QVERIFY2(m_window->find(u"changePicture"_s), "what the change does is drawn");
+        QVERIFY2(m_window->find(u"changeFilm"_s), "what the change does is drawn");
         // The film's speed is length times rate.
         const QList<QPointF> speeds = editor().programDownload()->changeSpeeds();
         QCOMPARE(speeds.size(), 3);
@@ -191,6 +191,12 @@ private slots:
         QVERIFY(speeds[1].y() <= 100);
         QVERIFY(qAbs(speeds.last().y() - 100 * after / before) < 1e-6);
         QVERIFY(!textOf("changeText").isEmpty());
+        // The film has the cuts of both programs, with the scrap between them.
+        const auto film = m_window->find(u"changeFilm"_s)->property("cuts").value<QList<QPointF>>();
+        QVERIFY(film.first().y() == 0 && film.at(1).y() == 3 && film.last().y() == 2);
+        QVERIFY(qAbs(film.last().x() - film.at(film.size() - 2).x() - editor().bagLength()->value()) < 1e-6);
+        const bool isLength = field == u"bag_length_mm";
+        QCOMPARE(propertyOf("changeFilm", "nextText"), isLength ? u"← 251\u00A0mm"_s : QString());
         tap("changeApply");
         QCOMPARE(editor().programDownload()->state(), panel::ProgramDownload::State::Transferring);
     }

@@ -48,6 +48,7 @@ Controller::Controller(link::Link& link, Settings& settings, QObject* parent)
     connect(&m_packing, &PackingLine::bagRecorded, this, &Controller::takeBag);
     connect(&m_packing, &PackingLine::bagsMissed, this, [this] { m_bags.noteGap(); });
     connect(&m_packing, &PackingLine::changed, &m_run, &RunStatements::update);
+    connect(&m_packing, &PackingLine::changed, &m_run, &RunStatements::cutsChanged);
     for (const auto change :
          {&Controller::connectionChanged, &Controller::freshChanged, &Controller::stateChanged,
           &Controller::liveChanged, &Controller::bagChanged, &Controller::programChanged})

@@ -218,12 +218,21 @@ double PackingLine::nextMarkMm() const
     return last->distanceMm + pitch;
 }
 
-QList<QPointF> PackingLine::cuts() const
+std::vector<program::FilmCut> PackingLine::nextCuts() const
 {
-    QList<QPointF> cuts;
+    using Kind = program::FilmCut::Kind;
+    std::vector<program::FilmCut> cuts;
     for (const modbus::FilmCut& cut : m_status ? m_status->cuts : std::vector<modbus::FilmCut>())
-        cuts << QPointF(cut.distanceMm, cut.isSkipped ? 1 : 0);
+        cuts.push_back({cut.distanceMm, cut.isSkipped ? Kind::Skipped : Kind::Present});
     return cuts;
+}
+
+QList<QPointF> PackingLine::drawn(const std::vector<program::FilmCut>& cuts)
+{
+    QList<QPointF> points;
+    for (const program::FilmCut& cut : cuts)
+        points << QPointF(cut.distanceMm, static_cast<double>(cut.kind));
+    return points;
 }
 
 QList<QPointF> PackingLine::seenMarks() const

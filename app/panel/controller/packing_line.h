@@ -6,6 +6,7 @@
 #include "app/link/link.h"
 #include "app/panel/controller/parameter.h"
 #include "app/panel/kit/wide_counter.h"
+#include "app/program/change_film.h"
 
 #include <QList>
 #include <QObject>
@@ -36,8 +37,8 @@ class PackingLine : public QObject {
     Q_PROPERTY(bool marksWanted READ marksWanted NOTIFY changed FINAL)
     Q_PROPERTY(QString lastSkipText READ lastSkipText NOTIFY changed FINAL)
     // The film as a picture. Distances to the knife are in mm, with the film motor at filmPositionMm; lists
-    // are empty while unknown. Cuts are (distance, 1 when skipped), marks (distance, 1 when calculated),
-    // products (leading edge, trailing edge).
+    // are empty while unknown. Cuts are (distance, kind), marks (distance, 1 when calculated), products
+    // (leading edge, trailing edge).
     Q_PROPERTY(double filmPositionMm READ filmPositionMm NOTIFY changed FINAL)
     Q_PROPERTY(double filmSpeedMmPerS READ filmSpeedMmPerS NOTIFY changed FINAL) // 0 at standstill
     Q_PROPERTY(bool knifeOpen READ knifeOpen NOTIFY changed FINAL)               // waits open for whole bags
@@ -74,7 +75,10 @@ public:
     [[nodiscard]] double sensorMm() const { return m_sensor.lastValue(); }
     [[nodiscard]] double windowMm() const { return m_window.lastValue(); }
     [[nodiscard]] double nextMarkMm() const;
-    [[nodiscard]] QList<QPointF> cuts() const;
+    [[nodiscard]] QList<QPointF> cuts() const { return drawn(nextCuts()); }
+    [[nodiscard]] std::vector<program::FilmCut> nextCuts() const;
+    // Returns them as FilmPicture draws them.
+    [[nodiscard]] static QList<QPointF> drawn(const std::vector<program::FilmCut>& cuts);
     [[nodiscard]] QList<QPointF> seenMarks() const;
     [[nodiscard]] QList<QPointF> seenProducts() const;
 

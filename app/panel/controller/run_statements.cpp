@@ -9,10 +9,17 @@
 
 namespace campanel::panel {
 
+namespace {
+
+constexpr double maxBagsAhead = 12; // more are not drawn
+
+} // namespace
+
 RunStatements::RunStatements(Controller& controller)
     : m_controller(controller)
 {
     LanguageNotifier::follow(this);
+    connect(this, &RunStatements::changed, this, &RunStatements::cutsChanged);
 }
 
 QString RunStatements::text(RunPlace place) const
@@ -24,13 +31,35 @@ QString RunStatements::text(RunPlace place) const
 QString RunStatements::film() const
 {
     if (m_change && row(RunPlace::Film) == RunRow::FilmChanging)
-        return ControllerSentences::changeUnderWay(m_change->price, m_change->bagLengthMm);
+        return ControllerSentences::changeUnderWay(m_change->price, m_change->film.toMm);
     return text(RunPlace::Film);
 }
 
-void RunStatements::announceChange(const program::ChangePrice& price, double bagLengthMm)
+void RunStatements::announceChange(const program::ChangePrice& price, const program::ChangeFilm& film)
 {
-    m_change = Change{price, bagLengthMm, m_controller.status()->generation};
+    m_change = Change{price, film, m_controller.status()->generation};
+}
+
+bool RunStatements::isArmed() const
+{
+    const auto& status = m_controller.status();
+    return m_change && status && status->generation == m_change->generation &&
+           status->stagedState == modbus::StagedState::Armed && m_facts.isMoving();
+}
+
+QList<QPointF> RunStatements::cuts() const
+{
+    const PackingLine& line = *m_controller.packing();
+    if (!isArmed())
+        return line.cuts();
+    const double reachMm = maxBagsAhead * std::max(m_change->film.fromMm, m_change->film.toMm);
+    return PackingLine::drawn(
+        program::cutsOverChange(m_change->film, line.nextCuts(), line.filmSpeedMmPerS(), reachMm));
+}
+
+QString RunStatements::nextLength() const
+{
+    return isArmed() ? ControllerSentences::nextLength(m_change->film) : QString();
 }
 
 bool RunStatements::isAnnounced(const RunFacts& facts) const

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "app/panel/words/run_sentences.h"
-#include "app/program/change_price.h"
+#include "app/program/change_film.h"
 
 #include <QObject>
 #include <QtQml/qqmlregistration.h>
@@ -26,6 +26,10 @@ class RunStatements : public QObject {
     // The next bags that will not count, as far as that is known: those of a change, and the one that is in
     // the making while the cuts are not on the marks.
     Q_PROPERTY(int scrapAhead READ scrapAhead NOTIFY changed FINAL)
+    // The next cuts as FilmPicture draws them, those of an announced change included from the moment at which
+    // the controller has the program; and the length of its bags, empty: there is none, or it stays.
+    Q_PROPERTY(QList<QPointF> cuts READ cuts NOTIFY cutsChanged FINAL)
+    Q_PROPERTY(QString nextLength READ nextLength NOTIFY cutsChanged FINAL)
 
 public:
     // The controller must outlive the object.
@@ -36,6 +40,8 @@ public:
     [[nodiscard]] QString marks() const { return text(RunPlace::Marks); }
     [[nodiscard]] QString film() const;
     [[nodiscard]] int scrapAhead() const { return m_scrapAhead; }
+    [[nodiscard]] QList<QPointF> cuts() const;
+    [[nodiscard]] QString nextLength() const;
     [[nodiscard]] QString stroke() const { return text(RunPlace::Stroke); }
     [[nodiscard]] QString trends() const { return text(RunPlace::Trends); }
     // Returns what a download that has just ended means.
@@ -45,7 +51,7 @@ public:
         return RunSentences::row(place, m_facts);
     }
     // Shows this price from the download that begins now to the first bag that counts.
-    void announceChange(const program::ChangePrice& price, double bagLengthMm);
+    void announceChange(const program::ChangePrice& price, const program::ChangeFilm& film);
     // Collects the facts again; emits changed() when one of them is another.
     void update();
     // The same after a change of what Start may do; its refusal is a sentence, too much for each status.
@@ -53,11 +59,14 @@ public:
 
 signals:
     void changed();
+    void cutsChanged();
 
 private:
     [[nodiscard]] QString text(RunPlace place) const;
     [[nodiscard]] RunFacts facts() const;
     [[nodiscard]] int scrapOf(const RunFacts& facts) const;
+    // Returns true while the controller waits for the boundary of the announced change.
+    [[nodiscard]] bool isArmed() const;
     // Returns true while the announced change is under way.
     [[nodiscard]] bool isAnnounced(const RunFacts& facts) const;
 
@@ -67,7 +76,7 @@ private:
     bool m_canStart = false;
     struct Change {
         program::ChangePrice price;
-        double bagLengthMm = 0;
+        program::ChangeFilm film;
         std::uint32_t generation = 0; // before it
     };
     std::optional<Change> m_change;

@@ -129,9 +129,10 @@ void ChangeForecast::update(const program::ProgramImage* wanted)
     m_change = program::programChange(active->recipe, *solved, wanted->recipe, wanted->solved, *known);
     const bool hasBags = wanted->recipe.isCutter();
     m_rateBagsPerMin = hasBags ? wanted->cutter().cycle.rateBagsPerMin : 0.0;
-    m_bagLengthMm = hasBags ? wanted->cutter().cycle.bagLengthMm : 0.0;
-    if (m_change && hasBags && m_controller.packing()->known())
-        m_price = program::changePrice(*solved, wanted->solved, *m_change, priceParameters());
+    if (!m_change || !hasBags || !m_controller.packing()->known())
+        return;
+    m_price = program::changePrice(*solved, wanted->solved, *m_change, priceParameters());
+    m_film = program::changeFilm(*solved, wanted->solved, *m_change, *m_price);
 }
 
 QString ChangeForecast::text() const

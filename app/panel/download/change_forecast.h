@@ -4,7 +4,7 @@
 #pragma once
 
 #include "app/panel/controller/parameter.h"
-#include "app/program/change_price.h"
+#include "app/program/change_film.h"
 #include "app/program/program_image.h"
 
 #include <QList>
@@ -37,7 +37,8 @@ public:
     [[nodiscard]] QList<QPointF> speeds() const;
     // Returns what the change costs; empty without a packing line.
     [[nodiscard]] const std::optional<program::ChangePrice>& price() const { return m_price; }
-    [[nodiscard]] double bagLengthMm() const { return m_bagLengthMm; }
+    // Returns where the cuts of the change will be on the film; meaningful with a price.
+    [[nodiscard]] const program::ChangeFilm& film() const { return m_film; }
     // Returns the reason why the running machine cannot change; empty when it can or without a forecast.
     [[nodiscard]] QString refusal() const;
 
@@ -55,7 +56,7 @@ private:
     bool m_isKnown = false;
     std::optional<program::ProgramChange> m_change; // known and empty: the steps cannot be kept
     std::optional<program::ChangePrice> m_price;    // of a packing line
-    double m_bagLengthMm = 0;                       // of the wanted program
+    program::ChangeFilm m_film;                     // of the price
     double m_rateBagsPerMin = 0;                    // of the wanted program; 0: it has no bags
 };
 

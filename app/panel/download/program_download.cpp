@@ -6,6 +6,7 @@
 #include "app/panel/kit/language_notifier.h"
 #include "app/panel/words/cam_sentences.h"
 #include "app/panel/words/connection_sentences.h"
+#include "app/panel/words/controller_sentences.h"
 #include "app/program/cam_advance.h"
 
 #include <algorithm>
@@ -178,6 +179,17 @@ QString ProgramDownload::controllerText() const
     }
 }
 
+QList<QPointF> ProgramDownload::changeCuts() const
+{
+    return m_forecast.price() ? PackingLine::drawn(program::cutsOfChange(m_forecast.film()))
+                              : QList<QPointF>();
+}
+
+QString ProgramDownload::changeLength() const
+{
+    return m_forecast.price() ? ControllerSentences::nextLength(m_forecast.film()) : QString();
+}
+
 bool ProgramDownload::isSaved() const
 {
     const auto& status = m_controller.status();
@@ -199,7 +211,7 @@ void ProgramDownload::download(const program::ProgramImage& image, const program
     m_windowReason.begin(image.crc);
     emit begun(image);
     if (m_forecast.price())
-        m_controller.run()->announceChange(*m_forecast.price(), m_forecast.bagLengthMm());
+        m_controller.run()->announceChange(*m_forecast.price(), m_forecast.film());
     sendTrims(recipe);
     m_controller.link().download(image.registers);
     update();

@@ -26,6 +26,9 @@ class ProgramDownload : public QObject {
     // The speed of film or cam while the running machine changes: corners of a line in seconds and per cent
     // of the speed before; empty when it goes on.
     Q_PROPERTY(QList<QPointF> changeSpeeds READ changeSpeeds NOTIFY changed FINAL)
+    // The cuts over the change as FilmPicture draws them, with the last one at the knife; empty: no forecast.
+    Q_PROPERTY(QList<QPointF> changeCuts READ changeCuts NOTIFY changed FINAL)
+    Q_PROPERTY(QString changeLength READ changeLength NOTIFY changed FINAL) // of its bags; empty: it stays
     Q_PROPERTY(bool canDownload READ canDownload NOTIFY changed FINAL)
     Q_PROPERTY(bool busy READ isUnderWay NOTIFY changed FINAL)
     Q_PROPERTY(campanel::panel::RowModelBase* differences READ differences CONSTANT FINAL)
@@ -69,6 +72,8 @@ public:
     [[nodiscard]] double progress() const { return m_report.fraction; }
     [[nodiscard]] QString text() const;
     [[nodiscard]] QList<QPointF> changeSpeeds() const { return m_forecast.speeds(); }
+    [[nodiscard]] QList<QPointF> changeCuts() const;
+    [[nodiscard]] QString changeLength() const;
     [[nodiscard]] bool isUnderWay() const;
     [[nodiscard]] bool canDownload() const { return m_state == State::Ready || m_canRetry; }
     [[nodiscard]] DifferenceModel* differences() { return &m_differences; }

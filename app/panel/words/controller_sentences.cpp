@@ -118,6 +118,13 @@ QString ControllerSentences::changeUnderWay(const program::ChangePrice& price, d
                           format.measure(price.longestBagMm, 0, QStringLiteral("mm")));
 }
 
+QString ControllerSentences::nextLength(const program::ChangeFilm& film)
+{
+    return film.toMm == film.fromMm
+               ? QString()
+               : QStringLiteral("← ") + Format().compactMeasure(film.toMm, 0, 1, QStringLiteral("mm"));
+}
+
 QString ControllerSentences::transferResult(const modbus::TransferAnswer& answer)
 {
     const modbus::EnumValue* known = modbus::findValue(answer.result);

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/link/link_values.h"
-#include "app/program/change_price.h"
+#include "app/program/change_film.h"
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -37,6 +37,9 @@ public:
     // Returns what such a change costs, and what Run says of it while it happens.
     [[nodiscard]] static QString changePrice(const program::ChangePrice& price);
     [[nodiscard]] static QString changeUnderWay(const program::ChangePrice& price, double bagLengthMm);
+    // Returns the length of the bags of the new program, for the film, which has them at the left; empty: it
+    // stays.
+    [[nodiscard]] static QString nextLength(const program::ChangeFilm& film);
     [[nodiscard]] static QString transferResult(const modbus::TransferAnswer& answer);
 
 private:

@@ -81,6 +81,8 @@ double FilmPicture::travelledMm() const
 
 double FilmPicture::reachMm() const
 {
+    if (!(m_bagMm > 0) && !m_cuts.isEmpty())
+        return std::ranges::max(m_cuts, {}, &QPointF::x).x();
     const double bagMm = m_bagMm > 0 ? m_bagMm : anyBagMm;
     if (!(m_sensorMm > 0))
         return bagsWithoutSensor * bagMm;

@@ -22,8 +22,8 @@ class FilmPicture : public QQuickPaintedItem {
     Q_OBJECT
     QML_ELEMENT
     // The places in mm before the knife with the film motor at `position`; negative: past the knife. Cuts are
-    // (distance, 1 when skipped), marks (distance, 1 when calculated), products (leading edge, trailing
-    // edge).
+    // (distance, kind), marks (distance, 1 when calculated), products (leading edge, trailing edge). Kinds of
+    // a cut are 0, 1 when skipped, 2 of the next program, 3 the same at the end of a bag that is scrap.
     Q_PROPERTY(QList<QPointF> cuts MEMBER m_cuts NOTIFY filmChanged FINAL)
     Q_PROPERTY(QList<QPointF> marks MEMBER m_marks NOTIFY filmChanged FINAL)
     Q_PROPERTY(QList<QPointF> products MEMBER m_products NOTIFY filmChanged FINAL)
@@ -32,7 +32,7 @@ class FilmPicture : public QQuickPaintedItem {
     Q_PROPERTY(double speed MEMBER m_speedMmPerS NOTIFY filmChanged FINAL)   // mm/s
     // Bags that do not count: the next x before the knife, and y behind it, 0 or 1.
     Q_PROPERTY(QPointF scrap MEMBER m_scrap NOTIFY filmChanged FINAL)
-    // The dimensions in mm; NaN while unknown.
+    // The dimensions in mm; NaN while unknown. Without a bag length all cuts are visible.
     Q_PROPERTY(double bagLength MEMBER m_bagMm NOTIFY scaleChanged FINAL)
     Q_PROPERTY(double sensor MEMBER m_sensorMm NOTIFY scaleChanged FINAL) // before the knife; NaN: not drawn
     Q_PROPERTY(double window MEMBER m_windowMm NOTIFY scaleChanged FINAL) // in both directions from nextMark
@@ -44,6 +44,8 @@ class FilmPicture : public QQuickPaintedItem {
     Q_PROPERTY(bool live MEMBER m_isLive NOTIFY styleChanged FINAL)
 
     Q_PROPERTY(QString sensorText MEMBER m_sensorText NOTIFY styleChanged FINAL)
+    Q_PROPERTY(
+        QString nextText MEMBER m_nextText NOTIFY styleChanged FINAL) // at the next program's first cut
     Q_PROPERTY(QString knifeText MEMBER m_knifeText NOTIFY styleChanged FINAL)
     Q_PROPERTY(QFont textFont MEMBER m_textFont NOTIFY styleChanged FINAL)
     // The unit of the scale, and its factor from mm.
@@ -51,7 +53,8 @@ class FilmPicture : public QQuickPaintedItem {
     Q_PROPERTY(double lengthFactor MEMBER m_lengthFactor NOTIFY styleChanged FINAL)
     Q_PROPERTY(QLocale locale MEMBER m_locale NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor filmColor MEMBER m_filmColor NOTIFY styleChanged FINAL)
-    Q_PROPERTY(QColor edgeColor MEMBER m_edgeColor NOTIFY styleChanged FINAL) // edge of the film
+    Q_PROPERTY(QColor edgeColor MEMBER m_edgeColor NOTIFY styleChanged
+                   FINAL) // edge of the film, and all that is old
     Q_PROPERTY(QColor markColor MEMBER m_markColor NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor windowColor MEMBER m_windowColor NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor productColor MEMBER m_productColor NOTIFY styleChanged FINAL)
@@ -61,7 +64,6 @@ class FilmPicture : public QQuickPaintedItem {
     Q_PROPERTY(QColor faultColor MEMBER m_faultColor NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor knifeColor MEMBER m_knifeColor NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor textColor MEMBER m_textColor NOTIFY styleChanged FINAL)
-    Q_PROPERTY(QColor staleColor MEMBER m_staleColor NOTIFY styleChanged FINAL)
 
 public:
     explicit FilmPicture(QQuickItem* parent = nullptr);
@@ -98,7 +100,7 @@ private:
     void updateAll() { update(boundingRect().toAlignedRect()); }
     void noteFilm();
     void takeReport();
-    [[nodiscard]] QColor live(const QColor& color) const { return m_isStale ? m_staleColor : color; }
+    [[nodiscard]] QColor live(const QColor& color) const { return m_isStale ? m_edgeColor : color; }
     [[nodiscard]] Rows rows() const;
     [[nodiscard]] double reachMm() const; // visible film before the knife
     [[nodiscard]] double pxPerMm() const;
@@ -107,11 +109,13 @@ private:
     [[nodiscard]] bool isDue() const;
     void paintFilm(QPainter& painter, const Rows& rows) const;
     void paintScale(QPainter& painter, const Rows& rows) const;
+    [[nodiscard]] QRectF nextTextRect() const; // empty: there is none
     void paintScrap(QPainter& painter, const Rows& rows) const;
     void paintProducts(QPainter& painter, const Rows& rows) const;
     void paintWindow(QPainter& painter, const Rows& rows) const;
     void paintMarks(QPainter& painter, const Rows& rows) const;
     void paintCuts(QPainter& painter, const Rows& rows) const;
+    void paintNextText(QPainter& painter) const;
     void paintSensor(QPainter& painter, const Rows& rows) const;
     void paintKnife(QPainter& painter, const Rows& rows) const;
 
@@ -129,6 +133,7 @@ private:
     bool m_isStale = false;
     bool m_isLive = true;
     QString m_sensorText;
+    QString m_nextText;
     QString m_knifeText;
     QFont m_textFont;
     QString m_lengthUnit = QStringLiteral("mm");
@@ -144,7 +149,6 @@ private:
     QColor m_faultColor{Qt::transparent};
     QColor m_knifeColor{Qt::black};
     QColor m_textColor{Qt::black};
-    QColor m_staleColor{Qt::gray};
 
     std::function<double()> m_clock;
     FilmMotion m_motion;

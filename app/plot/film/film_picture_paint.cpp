@@ -22,6 +22,13 @@ constexpr double markWidth = 7;         // px
 constexpr double knifeShare = 0.6;      // of a line of text: half of the knife's width
 constexpr double cutFilmOpacity = 0.45; // film beyond the knife
 
+enum Kind { Present, Skipped, Next, NextScrap };
+
+bool isOf(const QPointF& cut, Kind kind)
+{
+    return cut.y() == static_cast<double>(kind);
+}
+
 QPolygonF triangle(const QPointF& tip, double halfWidth, double height)
 {
     return {{tip, tip + QPointF(-halfWidth, -height), tip + QPointF(halfWidth, -height)}};
@@ -57,6 +64,7 @@ void FilmPicture::paint(QPainter* painter)
         paintCuts(*painter, places);
         painter->restore();
     }
+    paintNextText(*painter);
     paintSensor(*painter, places);
     paintKnife(*painter, places);
 }
@@ -109,11 +117,19 @@ void FilmPicture::paintScrap(QPainter& painter, const Rows& rows) const
         if (bags == m_scrap.x())
             break;
         const double left = xOf(cut.x());
-        if (left >= knifeX() || cut.y() != 0)
+        if (left >= knifeX() || isOf(cut, Skipped))
             continue; // made already, or skipped
         paint(left, right);
         right = left;
         ++bags;
+    }
+    right = knifeX();
+    for (const QPointF& cut : m_cuts) {
+        const double left = std::min(xOf(cut.x()), knifeX());
+        if (isOf(cut, NextScrap))
+            paint(left, right);
+        if (!isOf(cut, Skipped))
+            right = left;
     }
 }
 
@@ -174,8 +190,10 @@ void FilmPicture::paintCuts(QPainter& painter, const Rows& rows) const
         const double x = xOf(cut.x());
         if (x > knifeX())
             continue; // already cut
-        const bool isSkipped = cut.y() != 0;
-        const QColor color = live(isSkipped ? m_skippedColor : m_cutColor);
+        const bool isSkipped = isOf(cut, Skipped);
+        const QColor color = live(isSkipped            ? m_skippedColor
+                                  : isOf(cut, Present) ? m_cutColor
+                                                       : m_windowColor);
         QPen pen(color, film::lineWidth, Qt::SolidLine, Qt::FlatCap);
         if (isSkipped)
             pen.setDashPattern({2, 2});
@@ -193,6 +211,29 @@ void FilmPicture::paintCuts(QPainter& painter, const Rows& rows) const
             painter.drawPolygon(triangle({x, rows.filmTop}, head / 2, head));
         }
     }
+}
+
+// The text ends at the first cut of the next program: its bags are at the left.
+QRectF FilmPicture::nextTextRect() const
+{
+    const auto first = std::ranges::find_if(
+        m_cuts, [](const QPointF& cut) { return isOf(cut, Next) || isOf(cut, NextScrap); });
+    if (m_nextText.isEmpty() || first == m_cuts.end() || std::isnan(m_positionMm))
+        return {};
+    const QFontMetricsF metrics(m_textFont);
+    const double length = metrics.horizontalAdvance(m_nextText);
+    const double knifeLeft = knifeX() - metrics.horizontalAdvance(m_knifeText) / 2 - film::textGap;
+    const double right = std::max(length, std::min(xOf(first->x()), knifeLeft));
+    return {right - length, 0, length, metrics.height()};
+}
+
+void FilmPicture::paintNextText(QPainter& painter) const
+{
+    const QRectF place = nextTextRect();
+    if (place.isEmpty())
+        return;
+    painter.setPen(live(m_windowColor));
+    painter.drawText(place, Qt::AlignCenter, m_nextText);
 }
 
 // Paints the sensor above its place, or at the left edge with an arrow when it is not visible.
@@ -222,7 +263,10 @@ void FilmPicture::paintSensor(QPainter& painter, const Rows& rows) const
     const double knifeLeft = std::min(knifeX(), width() - metrics.horizontalAdvance(m_knifeText) / 2) -
                              metrics.horizontalAdvance(m_knifeText) / 2;
     const double right = std::max(x + metrics.horizontalAdvance(text) / 2, metrics.horizontalAdvance(text));
-    if (right + film::textGap > knifeLeft)
+    const QRectF next = nextTextRect();
+    const bool isCovered = !next.isEmpty() && right + film::textGap > next.left() &&
+                           right - metrics.horizontalAdvance(text) - film::textGap < next.right();
+    if (right + film::textGap > knifeLeft || isCovered)
         return; // no space for both names
     painter.setPen(m_textColor);
     paintTextWithin(painter, width(), x, 0, text);

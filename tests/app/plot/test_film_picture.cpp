@@ -40,7 +40,6 @@ struct Rig {
         picture.setProperty("cutColor", blue);
         picture.setProperty("skippedColor", red);
         picture.setProperty("knifeColor", magenta);
-        picture.setProperty("staleColor", QColor(Qt::gray));
         picture.setProperty("textColor", QColor(Qt::gray));
         picture.setProperty("bagLength", 250.0);
         picture.setProperty("sensor", 900.0);
@@ -113,6 +112,28 @@ private slots:
         rig.picture.setProperty("scrap", QPointF(0, 1));
         QVERIFY2(hatched(-40), "the last bag, behind the knife");
         QVERIFY(!hatched(50));
+    }
+
+    // Behind the boundary of a change the cuts are of the next program, and its first bags scrap.
+    void cutsOfTheNextProgramAreOfAnotherColor()
+    {
+        Rig rig;
+        rig.picture.setProperty("sensor", nan);
+        rig.picture.setProperty("windowColor", QColor(Qt::cyan));
+        rig.set("cuts", {{150, 0}, {420, 3}, {620, 3}, {820, 2}});
+        rig.picture.setProperty("nextText", QStringLiteral("200"));
+        const QImage image = rig.paint();
+        QVERIFY(rig.inkAt(image, 150, blue) > 40 && rig.inkAt(image, 150, QColor(Qt::cyan)) == 0);
+        for (const double mm : {420.0, 620.0, 820.0})
+            QVERIFY(rig.inkAt(image, mm, blue) == 0 && rig.inkAt(image, mm, QColor(Qt::cyan)) > 40);
+        const auto hatched = [&](double mm) { return rig.inkAt(image, mm, red, 12) > 30; };
+        QVERIFY(!hatched(75) && hatched(285) && hatched(520) && !hatched(720));
+        const double text = QFontMetricsF(rig.picture.property("textFont").value<QFont>()).height();
+        const QRect place(qRound(rig.picture.xOf(420)) - 60, 0, 60, qRound(text));
+        QVERIFY2(test::inkIn(image, place, QColor(Qt::cyan)) > 5, "the length, left of the first cut");
+        // Without a bag length all of them are visible.
+        rig.picture.setProperty("bagLength", nan);
+        QVERIFY(qAbs(rig.picture.xOf(820)) < 1);
     }
 
     void aFaultOfTheKnifeHasARing()

@@ -12,7 +12,9 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <set>
 
@@ -270,6 +272,52 @@ private slots:
         QVERIFY2(!walk.machine.run()->film().startsWith(QStringLiteral("Changing")), "the change is over");
         QCOMPARE(walk.machine.run()->scrapAhead(), 0);
         walk.pass(3);
+        finish(walk);
+    }
+
+    // The first cut of the new length is drawn while the machine still makes bags of the old one; the place
+    // is held against the film where the core made it.
+    void theSpacingOfAChangeIsDrawnBefore_data()
+    {
+        QTest::addColumn<double>("bagMm");
+        QTest::addColumn<double>("bagsPerMin");
+        for (const double bagMm : {200.0, 240.0, 300.0})
+            QTest::addRow("%g mm", bagMm) << bagMm << 60.0;
+        QTest::newRow("faster") << 250.0 << 120.0;
+        QTest::newRow("longer, faster") << 300.0 << 100.0;
+    }
+    void theSpacingOfAChangeIsDrawnBefore()
+    {
+        QFETCH(double, bagMm);
+        QFETCH(double, bagsPerMin);
+        Walk walk;
+        walk.connect();
+        QVERIFY(walk.download());
+        walk.machine.start();
+        QVERIFY(walk.passUntil([&] { return walk.hasBags; }, 60));
+        walk.pass(3);
+        walk.editor.bagLength()->set(bagMm);
+        walk.editor.rate()->set(bagsPerMin);
+        walk.pass(1);
+        QVERIFY(!walk.editor.programDownload()->changeCuts().isEmpty());
+        QVERIFY(walk.machine.run()->nextLength().isEmpty());
+        walk.editor.download();
+        std::vector<double> drawn; // film at the first cut of the new program
+        const std::uint32_t generation = walk.core().banks.generation;
+        const auto isMade = [&] {
+            const QList<QPointF> cuts = walk.machine.run()->cuts();
+            const auto first = std::ranges::find_if(cuts, [](const QPointF& cut) { return cut.y() >= 2; });
+            if (first != cuts.end())
+                drawn.push_back(walk.machine.packing()->filmPositionMm() + first->x());
+            return walk.core().banks.generation != generation && walk.core().packer.last_cut.changed;
+        };
+        QVERIFY(walk.passUntil(isMade, 30));
+        QVERIFY(!drawn.empty());
+        const double madeMm =
+            static_cast<double>(ctl_packer_um(&walk.core().packer, walk.core().packer.last_cut.at)) / 1000.0;
+        qInfo("drawn %zu times, first %.1f mm, last %.1f mm from where it was made", drawn.size(),
+              drawn.front() - madeMm, drawn.back() - madeMm);
+        QVERIFY2(std::abs(drawn.back() - madeMm) < 5.0, qPrintable(QString::number(drawn.back() - madeMm)));
         finish(walk);
     }
 
