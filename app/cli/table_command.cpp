@@ -4,7 +4,7 @@
 #include "app/cli/invocation.h"
 #include "app/cli/recipe_options.h"
 #include "app/cli/report.h"
-#include "app/program/table_columns.h"
+#include "app/program/table/table_columns.h"
 
 #include <QJsonArray>
 

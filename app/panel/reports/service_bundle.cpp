@@ -10,7 +10,7 @@
 #include "app/panel/records/database_service.h"
 #include "app/panel/settings/settings.h"
 #include "app/program/program_image.h"
-#include "app/program/table_columns.h"
+#include "app/program/table/table_columns.h"
 #include "app/store/logs/alarm_log.h"
 #include "app/store/logs/audit_log.h"
 #include "app/store/recipes/recipe_json.h"

@@ -4,7 +4,7 @@
 
 #include "app/panel/recipe/recipe_edit.h"
 #include "app/panel/reports/service_bundle.h"
-#include "app/program/table_columns.h"
+#include "app/program/table/table_columns.h"
 #include "app/store/recipes/recipe_json.h"
 #include "tests/support/test_program.h"
 

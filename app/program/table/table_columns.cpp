@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/program/table_columns.h"
+#include "app/program/table/table_columns.h"
 
 #include "app/program/interval_speeds.h"
 #include "profile/cam/csv_writer.h"
