@@ -137,7 +137,6 @@ private slots:
     void whatAsksForALoginHasAPadlock()
     {
         QFETCH(QStringList, screens);
-        m_pressed.clear();
         QStringList wrong;
         for (const QString& screen : std::as_const(screens))
             wrong += wrongOn(screen);
