@@ -270,7 +270,7 @@
     </message>
     <message>
         <source>Measure again</source>
-        <translation>Noch einmal messen</translation>
+        <translation>Neu messen</translation>
     </message>
     <message>
         <source>Measure</source>

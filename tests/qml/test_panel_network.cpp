@@ -105,6 +105,7 @@ private slots:
     {
         openNetwork();
         tap("networkFixed");
+        tap("sheetClose"); // asks
         tap("sheetClose");
         tap("setNetwork");
         QVERIFY(network().isDhcp() && !network().edited());
