@@ -24,7 +24,6 @@ using modbus::MeasuredAxis;
 using modbus::MeasureState;
 
 constexpr auto measurePause = 50ms; // the heartbeat goes on between two readings
-constexpr double maxRulerShare = 0.2;
 
 struct MeasurableAxis {
     const char* name;
@@ -110,6 +109,9 @@ Outcome measureTurns(const Invocation& call, LinkSession& session, std::uint16_t
     if (each.pulses == nullptr)
         return call.deliver(
             (counted + u"; per turn of the shaft, so divide by the gear for the recipe\n"_s).toUtf8());
+    if (call.isSet(u"take"_s) && !status->areTurnsEven())
+        return fail(ExitCode::Refused,
+                    counted + u", which is too much. Check the index sensor. Nothing was changed."_s);
     const auto present = measuredParameter(session, each.pulses);
     if (!present)
         return tl::unexpected(present.error());
@@ -152,7 +154,7 @@ Outcome measureFilm(const Invocation& call, LinkSession& session)
         return fail(ExitCode::Refused,
                     u"The controller knows no bag yet. Cut two bags, then measure the second one."_s);
     const double setMm = *status->bagPulses / *pulses * *feedMm;
-    if (std::abs(rulerMm / setMm - 1) > maxRulerShare)
+    if (std::abs(rulerMm / setMm - 1) > modbus::maxBagDeviation)
         return fail(ExitCode::Refused, u"Bag %1 is %2 mm long by the setting: %3 mm is another bag. Nothing "
                                        u"was changed. A setting that is "
                                        u"so far off is written with: set parameter.film_feed."_s.arg(

@@ -17,6 +17,10 @@ inline constexpr std::uint16_t measureRegisters = 12;
 inline constexpr std::uint16_t measureMapMinor = 7;
 // The index marks that a measurement counts.
 inline constexpr std::uint16_t measuredTurns = 5;
+// The share of a turn by which the longest and the shortest one may differ.
+inline constexpr double maxTurnSpread = 0.005;
+// The share by which a bag may be off its set length; one that is farther off is another bag.
+inline constexpr double maxBagDeviation = 0.2;
 
 struct MeasureStatus {
     MeasureState state = MeasureState::None;
@@ -27,6 +31,8 @@ struct MeasureStatus {
     double spread = 0.0;               // of the turns
     std::optional<double> bagPulses{}; // of the film motor between the last two cuts; empty: not known
     std::uint32_t bag = 0;             // number of the bag that ended with them
+
+    [[nodiscard]] bool areTurnsEven() const { return spread <= maxTurnSpread * pulses; }
 
     bool operator==(const MeasureStatus&) const = default;
 };

@@ -168,6 +168,28 @@ private slots:
         QVERIFY2(noBag == 1 && cut.contains(QStringLiteral("knows no bag")), qPrintable(cut));
         QCOMPARE(runs({QStringLiteral("measure"), QStringLiteral("weight")}).first, 2);
     }
+
+    // The index marks of this machine are ten degrees off their places.
+    void theCommandLineTakesNoUnevenTurns()
+    {
+        ControllerProcess controller(otherMachine()
+                                     << QStringLiteral("--index-scatter") << QStringLiteral("10"));
+        const auto runs = [&controller](const QString& arguments) {
+            QProcess process;
+            process.start(test::programPath("campanelctl"),
+                          arguments.split(u' ') << QStringLiteral("--port") << controller.port());
+            process.waitForFinished(timeoutMs);
+            return std::pair(process.exitCode(), QString::fromUtf8(process.readAllStandardOutput() +
+                                                                   process.readAllStandardError()));
+        };
+        QCOMPARE(runs(QStringLiteral("download")).first, 0);
+        QCOMPARE(runs(QStringLiteral("set signal.film_index_contact 0")).first, 0);
+        const auto [taken, said] = runs(QStringLiteral("measure turns film --take"));
+        QVERIFY2(taken == 1 && said.contains(QStringLiteral("too much")), qPrintable(said));
+        const auto [counted, words] = runs(QStringLiteral("measure turns film"));
+        QVERIFY2(counted == 0 && words.contains(QStringLiteral("setting 10000, not written")),
+                 qPrintable(words));
+    }
 };
 
 CAMPANEL_TEST(TestAxesAndController)

@@ -27,8 +27,6 @@ constexpr auto measurePeriod = 250ms;
 constexpr const char* filmPulsesName = "parameter.film_pulses";
 constexpr const char* filmFeedName = "parameter.film_feed";
 constexpr const char* mainMotorPulses = "pulses_per_motor_rev";
-constexpr double maxSpread = 0.005;   // of a turn, between the longest and the shortest one
-constexpr double maxRulerShare = 0.2; // by which a bag may be off
 
 struct AxisSubject {
     std::string_view name;
@@ -275,7 +273,7 @@ double AxisMeasurement::measured() const
 
 bool AxisMeasurement::areTurnsEven() const
 {
-    return m_subject != Subject::Turns || m_status->spread <= maxSpread * m_status->pulses;
+    return m_subject != Subject::Turns || m_status->areTurnsEven();
 }
 
 bool AxisMeasurement::canTake() const
@@ -295,7 +293,8 @@ void AxisMeasurement::updateRuler()
         return;
     m_ruler.show({tr("Length of the last bag by the ruler"), u"mm"_s,
                   std::isfinite(m_rulerMm) ? Format().amount(m_rulerMm, 1, u"mm"_s) : Format::unknownText(),
-                  (1 - maxRulerShare) * setMm, (1 + maxRulerShare) * setMm, setMm, 1, m_rulerMm});
+                  (1 - modbus::maxBagDeviation) * setMm, (1 + modbus::maxBagDeviation) * setMm, setMm, 1,
+                  m_rulerMm});
 }
 
 void AxisMeasurement::measureSimulatedBag()
@@ -403,7 +402,8 @@ QString AxisMeasurement::readyText() const
                   "%3 "
                   "to %4: a bag that is farther off is another one.")
             .arg(QString::number(m_status->bag), lengthText(bagMm()),
-                 lengthText((1 - maxRulerShare) * bagMm()), lengthText((1 + maxRulerShare) * bagMm()));
+                 lengthText((1 - modbus::maxBagDeviation) * bagMm()),
+                 lengthText((1 + modbus::maxBagDeviation) * bagMm()));
     if (m_subject == Subject::Direction)
         return tr("Keep hands away: the axis turns slowly by a quarter of a turn, forward. Watch which way.");
     if (m_axis == MeasuredAxis::Knife)
