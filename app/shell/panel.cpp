@@ -194,8 +194,7 @@ void Panel::open()
     m_trail.open();
     m_builderFiles.open(m_storage.builderFolder, m_storage.keyFolder, m_storage.complaints);
     m_update.open();
-    if (const auto image = store::imageIn(QStringLiteral("/etc/os-release")))
-        m_versions.setSystem(image->version);
+    m_versions.setSystem(store::imageVersion());
     m_versions.open();
     m_touchCalibration.resume();
     if (m_hasBroker)

@@ -35,7 +35,7 @@ SoftwareUpdate::SoftwareUpdate(Controller& controller, const QString& folder, QO
     , m_controller(controller)
     , m_bus{[] { return QDBusConnection::systemBus(); }, u"org.freedesktop.systemd1"_s}
     , m_scanner(&store::exchangePlaces)
-    , m_installed([] { return store::installedPackage(); })
+    , m_installed(&store::installedPackage)
 {
     m_timer.setInterval(pace);
     m_timer.setSingleShot(true);

@@ -5,6 +5,7 @@
 #include "app/store/files/files.h"
 #include "app/store/logs/trend_schema.h"
 
+#include <QHash>
 #include <QProcess>
 #include <QStringList>
 
@@ -17,6 +18,7 @@ namespace campanel::store {
 namespace {
 
 constexpr int patienceMs = 10'000;
+const QString systemPackage = u"campanel-system"_s; // of packaging/image
 
 // Returns the lines "name", "version", "architecture" that a program of dpkg prints.
 std::optional<PackageId> idFrom(const QString& program, const QStringList& arguments)
@@ -107,32 +109,23 @@ std::optional<PackageId> packageIn(const QString& path)
                                   u"--"_s, path});
 }
 
-std::optional<PackageId> installedPackage(const QString& osRelease)
+std::optional<PackageId> installedPackage()
 {
     auto id =
         idFrom(u"dpkg-query"_s,
                {u"--show"_s, u"--showformat=${Package}\\n${Version}\\n${Architecture}\\n"_s, u"campanel"_s});
-    const auto image = imageIn(osRelease);
-    if (id && image) {
-        id->name = image->name;
-        id->version = image->version;
-    }
+    const QString image = imageVersion();
+    if (id && !image.isEmpty())
+        id = PackageId{systemPackage, image, id->architecture};
     return id;
 }
 
-std::optional<ImageId> imageIn(const QString& osRelease)
+QString imageVersion(const QString& osRelease)
 {
-    const auto bytes = readBytes(osRelease);
-    if (!bytes)
-        return std::nullopt;
-    ImageId image;
-    for (const QString& line : QString::fromUtf8(*bytes).split(u'\n')) {
-        if (line.startsWith(u"IMAGE_ID="))
-            image.name = line.section(u'=', 1);
-        else if (line.startsWith(u"IMAGE_VERSION="))
-            image.version = line.section(u'=', 1);
-    }
-    return image.name == u"campanel-system" && !image.version.isEmpty() ? std::optional(image) : std::nullopt;
+    QHash<QString, QString> values;
+    for (const QString& line : QString::fromUtf8(readBytes(osRelease).value_or(QByteArray())).split(u'\n'))
+        values.insert(line.section(u'=', 0, 0), line.section(u'=', 1));
+    return values.value(u"IMAGE_ID"_s) == systemPackage ? values.value(u"IMAGE_VERSION"_s) : QString();
 }
 
 std::strong_ordering compareVersions(QStringView left, QStringView right)

@@ -23,15 +23,9 @@ struct PackageId {
 [[nodiscard]] std::optional<PackageId> packageIn(const QString& path);
 // Returns what an update replaces: the package of CamPanel, or the system of an image, whose name and version
 // are in os-release(5). Empty when CamPanel was not installed as a package. Waits for dpkg-query.
-[[nodiscard]] std::optional<PackageId>
-installedPackage(const QString& osRelease = QStringLiteral("/etc/os-release"));
-
-struct ImageId {
-    QString name;
-    QString version;
-};
-// Returns the image that this file describes; empty when it is none of CamPanel.
-[[nodiscard]] std::optional<ImageId> imageIn(const QString& osRelease);
+[[nodiscard]] std::optional<PackageId> installedPackage();
+// Returns the version of the system of an image by its os-release(5); empty when it is none of CamPanel.
+[[nodiscard]] QString imageVersion(const QString& osRelease = QStringLiteral("/etc/os-release"));
 
 // Compares two versions as dpkg does: [epoch:]upstream[-revision], "~" before the end, letters before others.
 [[nodiscard]] std::strong_ordering compareVersions(QStringView left, QStringView right);
