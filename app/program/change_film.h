@@ -23,12 +23,8 @@ struct ChangeFilm {
 };
 
 struct FilmCut {
-    enum class Kind {
-        Present,
-        Skipped,
-        Next,
-        NextScrap
-    };                     // Next: of the new program; scrap: the bag at its front
+    // Next is of the new program; NextScrap has a bag at its front that does not count.
+    enum class Kind { Present, Skipped, Next, NextScrap };
     double distanceMm = 0; // before the knife
     Kind kind = Kind::Present;
 

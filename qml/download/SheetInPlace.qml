@@ -18,7 +18,7 @@ Loader {
         target: place.item
         function onClosed() { place.active = false }
     }
-    // What is typed there is not dropped with the lower one.
+    // The lower sheet does not close over a text that is typed here.
     Binding {
         target: place.below
         property: "pending"

@@ -63,7 +63,7 @@ class BootCheck(Check):
         def at(text):
             found = re.search(r"\[ *([0-9.]+)\][^\n]*" + text, self.log)
             return float(found.group(1)) if found else None
-        ready, connected = at("Started campanel-kiosk"), at("connected to ")
+        ready, connected = at("Started campanel-kiosk"), at('connected to "/dev/campanel-serial"')
         return None if ready is None or connected is None else connected - ready
 
     def check(self):

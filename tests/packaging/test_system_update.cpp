@@ -93,8 +93,7 @@ struct Computer : ScriptRoot {
         QVERIFY(
             run(campanel::test::sourcePath("packaging/kiosk/campanel-update"), u"CAMPANEL_UPDATE_ROOT"_s));
     }
-    // What the boot loader starts next; without power the request of one start is still there or already
-    // gone.
+    // Starts the computer again. After a power cut the request of one start may be lost.
     void boot(bool keepsRequest = true)
     {
         const QByteArray once = value(read(variable).replace('\0', ""), u"^\\x07campanel-(.)\\.conf$"_s);

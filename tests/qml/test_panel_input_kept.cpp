@@ -322,7 +322,7 @@ private slots:
         tap("sheetClose");
         QVERIFY(!isOn(seen));
     }
-    // What holds nothing is closed at once, and a changed entry is asked for again.
+    // A sheet without an entry closes at once; each new entry is asked for again.
     void closeAsksForEachEntry()
     {
         enter(u"recipes"_s);

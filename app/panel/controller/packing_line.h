@@ -37,8 +37,8 @@ class PackingLine : public QObject {
     Q_PROPERTY(bool marksWanted READ marksWanted NOTIFY changed FINAL)
     Q_PROPERTY(QString lastSkipText READ lastSkipText NOTIFY changed FINAL)
     // The film as a picture. Distances to the knife are in mm, with the film motor at filmPositionMm; lists
-    // are empty while unknown. Cuts are (distance, kind), marks (distance, 1 when calculated), products
-    // (leading edge, trailing edge).
+    // are empty while unknown. Marks are (distance, 1 when calculated), products (leading edge, trailing
+    // edge); RunStatements has the cuts.
     Q_PROPERTY(double filmPositionMm READ filmPositionMm NOTIFY changed FINAL)
     Q_PROPERTY(double filmSpeedMmPerS READ filmSpeedMmPerS NOTIFY changed FINAL) // 0 at standstill
     Q_PROPERTY(bool knifeOpen READ knifeOpen NOTIFY changed FINAL)               // waits open for whole bags
@@ -47,7 +47,6 @@ class PackingLine : public QObject {
     Q_PROPERTY(
         double windowMm READ windowMm NOTIFY changed FINAL) // in both directions from the expected mark
     Q_PROPERTY(double nextMarkMm READ nextMarkMm NOTIFY changed FINAL) // expected position of the next mark
-    Q_PROPERTY(QList<QPointF> cuts READ cuts NOTIFY changed FINAL)
     Q_PROPERTY(QList<QPointF> seenMarks READ seenMarks NOTIFY changed FINAL)
     Q_PROPERTY(QList<QPointF> seenProducts READ seenProducts NOTIFY changed FINAL)
 

@@ -71,7 +71,7 @@ static void scale_lag(ctl_packer* packer, int64_t bag_before, uint32_t cycle_bef
         packer->lag = packer->lag * packer->bag / bag_before * (int64_t)cycle_before / (int64_t)packer->cycle;
 }
 
-/* What is not prepared yet of its lengths is computed now. */
+/* Computes the lengths that are not prepared yet. */
 static void take_bank(ctl_packer* packer, const ctl_bank* bank, uint32_t crc)
 {
     while (ctl_packer_prepare(packer, bank, crc)) {
