@@ -7,11 +7,10 @@ import argparse
 import os
 import re
 import statistics
-import subprocess
 import sys
 
 from check_image import Check
-from machine import DATA_PARTITION, partition
+from machine import put_files
 
 EMPTY = """[Service]
 Type=simple
@@ -26,15 +25,10 @@ CONNECTED_S = 2.0  # behind the panel's window
 
 class BootCheck(Check):
     def put_empty_window(self, disk):
-        """Into the data partition, which has the test shell already."""
-        unit = self.path("empty.conf")
-        with open(unit, "w") as file:
-            file.write(EMPTY)
-        start, _ = partition(disk, DATA_PARTITION)
-        window = os.path.join(self.options.bin, "empty_window")
-        script = ["cd /system/upper/etc", f"write {window} empty_window", "set_inode_field empty_window mode 0100755", "cd systemd/system",
-                  "mkdir campanel-kiosk.service.d", "cd campanel-kiosk.service.d", f"write {unit} empty.conf"]
-        subprocess.run(["debugfs", "-w", "-f", "-", f"{disk}?offset={start}"], input="\n".join(script) + "\n", text=True, capture_output=True, check=True)
+        with open(os.path.join(self.options.bin, "empty_window"), "rb") as file:
+            window = file.read()
+        put_files(disk, self.computer["tty"], [("etc/empty_window", 0o755, window),
+                                               ("etc/systemd/system/campanel-kiosk.service.d/empty.conf", 0o644, EMPTY.encode())])
 
     def once(self, name, prepare):
         """One boot of a disk that has been booted once."""

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Tests an image of packaging/image in QEMU: it opens the panel, a tap reaches it, the controller behind a USB adapter is connected, power cuts
-with lost writes leave it whole, and without its data partition the panel says so. Prints one line per step; ends with 1 when one has failed."""
+with lost writes leave it whole, and without its data partition and on a small card the panel says so. Prints one line per step; ends with 1 when
+one has failed."""
 
 import argparse
 import os
@@ -10,7 +11,7 @@ import subprocess
 import sys
 import time
 
-from machine import COMPUTERS, DATA_PARTITION, Machine, add_test_shell, partition
+from machine import COMPUTERS, DATA_PARTITION, Machine, partition, partitions, put_files
 from power_cuts import PowerCuts
 
 PATIENCE_S = 900  # without KVM, beside other work
@@ -61,7 +62,7 @@ class Check:
 
     def unpack(self):
         subprocess.run(["zstd", "-q", "-d", "-f", self.options.image, "-o", self.base], check=True)
-        add_test_shell(self.base, self.computer["tty"])
+        put_files(self.base, self.computer["tty"])
         os.truncate(self.base, 2 << 30)  # a larger card
 
     def fill_card(self, disk, settings):
@@ -77,14 +78,16 @@ class Check:
         subprocess.run(["mcopy", "-s", "-i", boot, os.path.join(folder, "campanel"), "::/"], check=True)
 
     def made_ready(self, disk):
-        """The second boot, with the settings corrected on the card."""
+        """The second boot, with the settings corrected on the card, and of a computer whose clock has stood."""
         self.fill_card(disk, SETTINGS_ON_CARD)
-        machine, seconds = self.start(disk)
+        machine, seconds = self.start(disk, clock="2001-01-01")
         try:
             if self.report("opens the panel again", seconds is not None, seconds and f"picture after {seconds:.0f} s"):
                 self.report("the corrected settings are taken", machine.wait_for(f"cat {CONFIGURATION}", 'theme = "dark"', 60) and
                             machine.shell("ls /var/lib/campanel-card") == "taken")
                 self.report("the recipe is kept", machine.wait_for(f"grep -c Rusk {RECIPE}", "1"))
+                first_line = float(machine.shell("journalctl -b -u campanel-kiosk -o short-unix --no-pager | head -n 1").split()[0])
+                self.report("the time goes on", first_line > self.last_time, f"the kiosk began {first_line - self.last_time:.0f} s after the last known time")
                 machine.picture("made-ready")
         finally:
             machine.cut()
@@ -115,7 +118,7 @@ class Check:
             self.report("kiosk", machine.wait_for("systemctl is-active campanel-kiosk", "active"), machine.shell("campanel-kiosk status"))
             self.report("no unit has failed", machine.shell("systemctl --failed --no-legend") == "", machine.shell("systemctl --failed --no-legend"))
             size = int(machine.shell("df --output=size -m /run/campanel-data | tail -n 1"))
-            self.report("the data partition has grown", size > 600, f"{size} MB")
+            self.report("the data partition has the rest of the card", size > 600, f"{size} MB")
             mounts = machine.shell("grep -E ' (/|/run/campanel-base|/run/campanel-data) ' /proc/mounts")
             self.report("the system is read-only", " / overlay " in mounts and "/run/campanel-base squashfs ro" in mounts and "/run/campanel-data ext4 rw" in mounts)
             self.report("no login, no open port", machine.shell(
@@ -143,6 +146,7 @@ class Check:
                 machine.tap(*chance.choice(list(rows.values())))
             seconds, memory, restarts = (machine.shell(command) for command in (
                 "systemd-analyze | head -n 1", "systemctl show -P MemoryCurrent campanel-kiosk", "systemctl show -P NRestarts campanel-kiosk"))
+            self.last_time = int(machine.shell("stat -c %Y /var/lib/systemd/timesync/clock"))
             print(f"campanel: image: {seconds}; the kiosk has {int(memory) >> 20} MB and was restarted {restarts} times", flush=True)
         finally:
             machine.cut()
@@ -150,9 +154,19 @@ class Check:
             self.made_ready(disk)
         os.remove(disk)
 
+    def boot_after_cut(self, disk):
+        machine, seconds = self.start(disk)
+        try:
+            self.report("opens the panel after it", seconds is not None and machine.shell("cat /run/campanel-no-data").endswith("No such file or directory"),
+                        seconds and f"picture after {seconds:.0f} s")
+        finally:
+            machine.cut()
+
     def power_cuts(self):
+        """In the work of the first boot."""
         cuts = PowerCuts(self.base, self.path("writes.log"), self.options.folder)
-        print(f"campanel: image: {len(cuts.writes)} writes to the data partition, {cuts.flushes} flushes")
+        cuts.moments = cuts.later_half()
+        print(f"campanel: image: {len(cuts.writes)} writes, {cuts.flushes} flushes")
         chance = random.Random(self.options.seed)
         for number in range(self.options.cuts):
             disk = self.path("cut.img")
@@ -160,47 +174,53 @@ class Check:
             damage = cuts.damage(disk)
             self.report(f"power cut {number + 1}", not damage, f"{lost} of {unsure} blocks since the last flush lost" + "".join("; " + found for found in damage))
             if number + 1 == self.options.cuts:
-                machine, seconds = self.start(disk)
-                try:
-                    self.report("opens the panel after it", seconds is not None and machine.shell("cat /run/campanel-no-data") .endswith("No such file or directory"),
-                                seconds and f"picture after {seconds:.0f} s")
-                finally:
-                    machine.cut()
+                self.boot_after_cut(disk)
             os.remove(disk)
 
-    def without_data(self, name, lose):
-        """`lose` takes the data partition away, and with it the test shell; so the kernel is told to send the log to the serial line."""
+    def power_cuts_of_partitions(self):
+        """While the first boot makes the partitions; one disk of each state is booted."""
+        cuts = PowerCuts(self.base, self.path("writes.log"), self.options.folder)
+        cuts.moments = cuts.of_table()
+        chance = random.Random(self.options.seed)
+        seen = set()
+        for number in range(self.options.cuts):
+            disk = self.path("cut.img")
+            lost, unsure = cuts.make(disk, chance)
+            try:
+                names = " ".join(part["name"].removeprefix("campanel-") for part in partitions(disk))
+            except subprocess.CalledProcessError:
+                names = "no table"
+            damage = cuts.damage(disk, databases=False) if names == "boot a b data" else []
+            self.report(f"power cut {number + 1} while partitions are made", names in ("boot a", "boot a b new", "boot a b data") and not damage,
+                        f"{names}; {lost} of {unsure} blocks since the last flush lost" + "".join("; " + found for found in damage))
+            if names not in seen:
+                seen.add(names)
+                self.boot_after_cut(disk)
+            os.remove(disk)
+
+    def without_data(self, name, lose, wanted):
+        """`lose` takes the data partition away; `wanted` is a part of the reason that the panel tells."""
         disk = self.disk("no-data.img")
-        boot = f"{disk}@@{partition(disk, 1)[0]}"
-        entry, place = self.path("campanel-a.conf"), "::/loader/entries/campanel-a.conf"
-        subprocess.run(["mcopy", "-n", "-i", boot, place, entry], check=True)
-        with open(entry) as file:
-            text = file.read()
-        with open(entry, "w") as file:
-            file.write(text.rstrip("\n") + f" console={self.computer['tty']} systemd.journald.forward_to_console=1\n")
-        subprocess.run(["mcopy", "-o", "-i", boot, entry, place], check=True)
         lose(disk)
         machine, seconds = self.start(disk)
         try:
             self.report(f"opens the panel {name}", seconds is not None, seconds and f"picture after {seconds:.0f} s")
-            said = []
-            end = time.time() + 300
-            while not said and time.time() < end:
-                machine.drain(2)
-                said = [line.strip() for line in machine.seen.decode(errors="replace").splitlines() if "data cannot be used" in line]
-            self.report("says so", bool(said), "".join(said[:1]))
+            reason = machine.shell("cat /run/campanel-no-data")
+            self.report("says so", wanted in reason and machine.wait_for("journalctl -b -u campanel-kiosk -o cat --no-pager", "data cannot be used", 300), reason)
             machine.drain(5)
             machine.picture(name.replace(" ", "-"))
         finally:
             machine.cut()
         os.remove(disk)
 
-    @staticmethod
-    def overwrite_data(disk):
-        start, size = partition(disk, DATA_PARTITION)
+    def overwrite_data(self, disk):
+        machine, _ = self.start(disk)  # makes the partition
+        machine.shell("sync")
+        machine.cut()
+        start, _ = partition(disk, DATA_PARTITION)
         with open(disk, "r+b") as file:
             file.seek(start)
-            file.write(os.urandom(size))
+            file.write(os.urandom(64 << 20))
 
     def check(self):
         self.unpack()
@@ -208,9 +228,10 @@ class Check:
             self.pi_files()
         self.boot()
         if not self.failed:
+            self.power_cuts_of_partitions()
             self.power_cuts()
-            self.without_data("without its data", self.overwrite_data)
-            self.without_data("on a card that is too small", lambda disk: os.truncate(disk, 1_000_000_000))
+            self.without_data("without its data", self.overwrite_data, "is damaged")
+            self.without_data("on a card that is too small", lambda disk: os.truncate(disk, 1_000_000_000), "smaller than 2 GB")
 
     def run(self):
         """Runs the check beside a simulated controller; the status of the program."""

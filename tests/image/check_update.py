@@ -260,7 +260,7 @@ class UpdateCheck(Check):
         run("dpkg-deb", "--raw-extract", self.options.bundle, content)
         self.boot_files = {file: digest(os.path.join(content, "boot", file)) for file in ("linux", "initrd")}
         shutil.rmtree(content)
-        cuts = PowerCuts(self.path("before.img"), self.path("update.log"), self.options.folder, start=0, later_half=False)
+        cuts = PowerCuts(self.path("before.img"), self.path("update.log"), self.options.folder)
         print(f"campanel: image: {len(cuts.writes)} writes of the update, {cuts.flushes} flushes", flush=True)
         chance = random.Random(self.options.seed)
         booted = set(chance.sample(range(self.options.cuts), min(self.options.boots, self.options.cuts)))

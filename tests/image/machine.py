@@ -2,6 +2,7 @@
 """A virtual computer that boots an image of packaging/image: its screen, taps, a USB serial adapter, a shell for tests, power cuts. Needs
 QEMU 7.1 or later; without KVM a boot takes one to three minutes."""
 
+import gzip
 import json
 import os
 import random
@@ -10,6 +11,7 @@ import select
 import socket
 import subprocess
 import sys
+import tempfile
 import time
 
 COMPUTERS = {
@@ -24,24 +26,48 @@ SHELL_UNIT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "test-shel
 DATA_PARTITION = 4
 
 
+def partitions(image):
+    return json.loads(subprocess.run(["sfdisk", "-J", image], check=True, capture_output=True).stdout)["partitiontable"]["partitions"]
+
+
 def partition(image, number):
     """The first byte and the size in bytes of a partition."""
-    table = json.loads(subprocess.run(["sfdisk", "-J", image], check=True, capture_output=True).stdout)["partitiontable"]["partitions"]
+    table = partitions(image)
     return table[number - 1]["start"] * 512, table[number - 1]["size"] * 512
 
 
-def add_test_shell(image, tty):
-    """Puts a root shell on a serial line into the data partition of a copy of an image. The image itself has none."""
-    start, _ = partition(image, DATA_PARTITION)
-    folders = ["system", "system/upper"] + ["system/upper/etc" + folder for folder in ("", "/systemd", "/systemd/system", "/systemd/system/sysinit.target.wants")]
-    script = [f"mkdir /{folder}" for folder in folders]
-    script.append("cd /system/upper/etc/systemd/system")
-    script.append(f"write {SHELL_UNIT} test-shell@.service")
-    script.append(f"symlink sysinit.target.wants/test-shell@{tty}.service ../test-shell@.service")
-    result = subprocess.run(["debugfs", "-w", "-f", "-", f"{image}?offset={start}"], input="\n".join(script) + "\n", text=True, capture_output=True)
-    if "test-shell@.service" not in subprocess.run(["debugfs", "-R", "ls /system/upper/etc/systemd/system", f"{image}?offset={start}"],
-                                                  text=True, capture_output=True).stdout:
-        sys.exit("the test shell cannot be added: " + result.stderr)
+def archive(entries):
+    """(path, mode with the kind of the file, bytes) of each file in cpio's form "newc", which the kernel unpacks beside its initrd."""
+    data = b""
+    for number, (path, mode, content) in enumerate(entries + [("TRAILER!!!", 0, b"")], 1):
+        name = path.encode() + b"\0"
+        fields = (number, mode, 0, 0, 1, 0, len(content), 0, 0, 0, 0, len(name), 0)
+        for piece in (b"070701" + b"".join(b"%08x" % field for field in fields) + name, content):
+            data += piece + b"\0" * (-len(piece) % 4)
+    return data
+
+
+def put_files(image, tty, files=()):
+    """Lets the first system of a copy of an image put files over itself at the first boot: a root shell on a serial line, which the image itself
+    has not, and (path, mode, bytes) of more."""
+    units = "etc/systemd/system/"
+    with open(SHELL_UNIT, "rb") as file:
+        entries = [(units + "test-shell@.service", 0o100644, file.read())]
+    entries.append((units + f"sysinit.target.wants/test-shell@{tty}.service", 0o120777, b"../test-shell@.service"))
+    entries += [(path, 0o100000 | mode, content) for path, mode, content in files]
+    folders = {"/".join(path.split("/")[:depth]) for path, _, _ in entries for depth in range(1, path.count("/") + 1)}
+    entries = [(folder, 0o40755, b"") for folder in sorted(folders)] + entries
+    scripts = "scripts/local-bottom/"  # of initramfs-tools
+    script = f'#!/bin/sh\n[ -e "$rootmnt/{units}test-shell@.service" ] || (cd "$rootmnt" && cpio -i -d -u </test-files)\n'
+    more = archive([("test-files", 0o100644, archive(entries)), (scripts + "test_files", 0o100755, script.encode()),
+                    (scripts + "ORDER", 0o100644, f'/{scripts}campanel "$@"\n/{scripts}test_files "$@"\n'.encode())])
+    boot, place = f"{image}@@{partition(image, 1)[0]}", "::/loader/entries/campanel-a.conf"
+    text = subprocess.run(["mtype", "-i", boot, place], check=True, capture_output=True).stdout
+    with tempfile.TemporaryDirectory() as folder:
+        for target, content in (("::/test-files", gzip.compress(more)), (place, text.replace(b"options ", b"initrd /test-files\noptions "))):
+            with open(os.path.join(folder, "file"), "wb") as file:
+                file.write(content)
+            subprocess.run(["mcopy", "-o", "-i", boot, os.path.join(folder, "file"), target], check=True)
 
 
 class Picture:
@@ -76,9 +102,10 @@ class Picture:
 
 class Machine:
     """A computer of COMPUTERS from power-on to its cut. `folder` gets the pictures and the log of the serial line. The disk is written, and so is
-    the file with the firmware's variables, if there is one. `stick` is the disk of a stick that is not plugged in yet."""
+    the file with the firmware's variables, if there is one. `stick` is the disk of a stick that is not plugged in yet, `clock` the time at power-on
+    of a computer whose clock does not run while it is off."""
 
-    def __init__(self, computer, disk, folder, controller=None, size=(1024, 600), log=None, accel="tcg", variables=None, stick=None):
+    def __init__(self, computer, disk, folder, controller=None, size=(1024, 600), log=None, accel="tcg", variables=None, stick=None, clock=None):
         self.folder, self.size, self.seen = folder, size, b""
         os.makedirs(folder, exist_ok=True)
         if log:  # with every write and flush in a file
@@ -99,6 +126,8 @@ class Machine:
                    "-qmp", f"unix:{qmp},server=on,wait=off", "-serial", f"unix:{tty},server=on,wait=off"]
         if controller:
             command += ["-chardev", f"serial,id=line,path={os.path.realpath(controller)}", "-device", "usb-serial,chardev=line"]
+        if clock:
+            command += ["-rtc", f"base={clock}"]
         if stick:
             command += ["-blockdev", f"driver=raw,node-name=stick,file.driver=file,file.filename={stick}"]
         self.began = time.time()

@@ -29,17 +29,21 @@ def entries_of(log):
 
 
 class PowerCuts:
-    """`base` is the disk before the run, `log` the log of it. The cuts come at a write behind the byte `start` of the disk, in the later
-    half of the run or in all of it."""
+    """`base` is the disk before the run, `log` the log of it. The cuts come at any write, unless `moments` is set to some of `writes`."""
 
-    def __init__(self, base, log, folder, start=None, later_half=True):
+    def __init__(self, base, log, folder):
         self.base, self.log, self.folder = base, log, folder
         self.entries = entries_of(log)
-        if start is None:
-            start, _ = partition(base, DATA_PARTITION)
-        self.writes = [i for i, (place, length, flags, _) in enumerate(self.entries) if length and place >= start and not flags & (DISCARD | MARK)]
-        self.moments = self.writes[len(self.writes) // 2:] if later_half else self.writes
+        self.moments = self.writes = [i for i, (_, length, flags, _) in enumerate(self.entries) if length and not flags & (DISCARD | MARK)]
         self.flushes = sum(1 for entry in self.entries if entry[2] & FLUSH)
+
+    def later_half(self):
+        return self.writes[len(self.writes) // 2:]
+
+    def of_table(self):
+        """The writes up to the last one into the table of partitions."""
+        last = max(i for i in self.writes if self.entries[i][0] < 1 << 20)
+        return [i for i in self.writes if i <= last]
 
     def make(self, disk, chance):
         """Writes the disk after a cut; returns how many blocks were lost and how many were unsure."""
@@ -63,9 +67,10 @@ class PowerCuts:
                     target.write(piece)
         return lost, unsure
 
-    def damage(self, disk):
-        """What the check at boot and SQLite find on such a disk; empty: it is whole. Repairs the file system as the boot does."""
-        start, size = partition(disk, DATA_PARTITION)  # as the first boot has made it
+    def damage(self, disk, databases=True):
+        """What the check at boot and SQLite find on such a disk; empty: it is whole. Repairs the file system as the boot does. `databases`: it
+        has some already."""
+        start, size = partition(disk, DATA_PARTITION)
         data = os.path.join(self.folder, "cut-data")
         subprocess.run(["dd", f"if={disk}", f"of={data}", "bs=1M", "iflag=skip_bytes,count_bytes", f"skip={start}", f"count={size}", "conv=sparse", "status=none"], check=True)
         os.truncate(data, size)
@@ -74,11 +79,17 @@ class PowerCuts:
             found.append("e2fsck -p cannot repair it")
         elif subprocess.run(["e2fsck", "-f", "-n", data], capture_output=True).returncode != 0:
             found.append("e2fsck finds more after the repair")
+        if databases:
+            found += self.broken_databases(data)
+        os.remove(data)
+        return found
+
+    def broken_databases(self, data):
         files = os.path.join(self.folder, "cut-files")
         subprocess.run(["rm", "-rf", files], check=True)
         os.mkdir(files)
         subprocess.run(["debugfs", "-R", f"rdump /system/upper/var/lib/campanel {files}", data], capture_output=True, check=True)
-        databases = 0
+        found, databases = [], 0
         for folder, _, names in os.walk(files):
             for name in names:
                 path = os.path.join(folder, name)
@@ -93,7 +104,4 @@ class PowerCuts:
                     answer = str(error)
                 if answer != "ok":
                     found.append(f"{name}: {answer}")
-        if not databases:
-            found.append("no database")
-        os.remove(data)
-        return found
+        return found if databases else ["no database"]
