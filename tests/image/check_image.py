@@ -89,6 +89,29 @@ class Check:
                 first_line = float(machine.shell("journalctl -b -u campanel-kiosk -o short-unix --no-pager | head -n 1").split()[0])
                 self.report("the time goes on", first_line > self.last_time, f"the kiosk began {first_line - self.last_time:.0f} s after the last known time")
                 machine.picture("made-ready")
+                self.another_version(machine)
+                machine.shell("dd if=/dev/zero of=/run/campanel-data/fill bs=1M; sync")
+        finally:
+            machine.cut()
+
+    def another_version(self, machine):
+        """The data of a later panel: SQLite keeps the version of the tables in the bytes 60 to 63."""
+        store = machine.shell("find /run/campanel-data -name campanel.sqlite")
+        machine.shell(f"systemctl stop campanel-kiosk; cp -p {store} /run/kept; printf '\\000\\001\\000\\000' | dd of={store} bs=1 seek=60 conv=notrunc; "
+                      "systemctl start campanel-kiosk")
+        self.report("says that its data are of a newer version", machine.wait_for("journalctl -b -u campanel-kiosk -o cat --no-pager", "written by a newer version", 300))
+        machine.drain(5)
+        machine.picture("newer-data")
+        machine.shell(f"systemctl stop campanel-kiosk; cp -p /run/kept {store}")
+
+    def full(self, disk):
+        machine, seconds = self.start(disk)
+        try:
+            self.report("opens the panel on a full card", seconds is not None, seconds and f"picture after {seconds:.0f} s")
+            self.report("the card is full", machine.shell("df --output=avail /run/campanel-data | tail -n 1") == "0")
+            machine.drain(20)
+            machine.picture("full")
+            print(machine.shell("systemctl --failed --no-legend; journalctl -b -u campanel-kiosk -o cat --no-pager | tail -n 20"))
         finally:
             machine.cut()
 
@@ -152,6 +175,7 @@ class Check:
             machine.cut()
         if not self.failed:
             self.made_ready(disk)
+            self.full(disk)
         os.remove(disk)
 
     def boot_after_cut(self, disk):

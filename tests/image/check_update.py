@@ -94,7 +94,7 @@ class UpdateCheck(Check):
         """The four of the test, and the stick with the first."""
         present = subprocess.check_output(["dpkg-deb", "--field", self.options.bundle, "Version"], text=True).strip()
         base = present.split("-")[0]
-        self.versions = {"first": present, "next": f"{base}-30000101", "silent": f"{base}-30000102"}
+        self.versions = {"first": present, "next": f"{base}-30000101", "silent": f"{base}-30000102", "hanging": f"{base}-30000103"}
         content = self.path("content")
         run("dpkg-deb", "--raw-extract", self.options.bundle, content)
         self.know(present, os.path.join(content, "system.img"))
@@ -108,6 +108,17 @@ class UpdateCheck(Check):
                 file.write("#!/bin/sh\nexec sleep 1000\n")
             os.chmod(path, 0o755)
         self.bundles["silent"] = self.make_bundle(self.versions["silent"], without_window)
+
+        # As a driver that never returns: nothing else runs, but for the watchdog of the computer.
+        def hanging(tree):
+            units = os.path.join(tree, "usr/lib/systemd/system")
+            with open(os.path.join(units, "hanging.service"), "w") as file:
+                file.write("[Service]\nExecStart=/bin/sh -c 'echo -1 >/proc/sys/kernel/sched_rt_runtime_us; for core in 1 2 3 4; do "
+                           "chrt -f 99 sh -c \"while :; do :; done\" & done; wait'\n")
+            os.makedirs(os.path.join(units, "multi-user.target.wants"), exist_ok=True)
+            os.symlink("../hanging.service", os.path.join(units, "multi-user.target.wants/hanging.service"))
+        if self.options.architecture == "amd64":  # QEMU's computer for arm64 has no watchdog
+            self.bundles["hanging"] = self.make_bundle(self.versions["hanging"], hanging)
         for name, owner in (("damaged", "builder"), ("stranger", "stranger")):
             bundle = self.bundles[name] = self.path(name + ".deb")
             shutil.copyfile(self.bundles["next"], bundle)
@@ -215,7 +226,10 @@ class UpdateCheck(Check):
         os.remove(disk)
 
     def bad_ones(self):
-        for name, result, reason in (("damaged", "refused", "signature"), ("stranger", "refused", "signature"), ("silent", "returned", "not-shown")):
+        for name, result, reason in (("damaged", "refused", "signature"), ("stranger", "refused", "signature"), ("silent", "returned", "not-shown"),
+                                     ("hanging", "returned", "not-shown")):
+            if name not in self.bundles:
+                continue
             self.fill_stick(name)
             self.new_variables()
             disk = self.path("bad.img")
@@ -224,10 +238,10 @@ class UpdateCheck(Check):
             try:
                 self.request(machine)
                 self.expect(f"a bundle that is {name}", machine, result, reason, "first", "a")
-                if name == "silent":
+                if result == "returned":
                     self.report("the panel is there again", machine.wait_for("systemctl is-active campanel-kiosk", "active", 300))
                     machine.drain(5)
-                    machine.picture("returned")
+                    machine.picture("returned-" + name)
             finally:
                 machine.cut()
             os.remove(disk)

@@ -16,7 +16,7 @@ import time
 
 COMPUTERS = {
     "amd64": {"tty": "ttyS0",
-              "command": ["qemu-system-x86_64", "-M", "q35", "-vga", "none"], "processor": "max", "screen": "virtio-vga",
+              "command": ["qemu-system-x86_64", "-M", "q35", "-vga", "none", "-global", "ICH9-LPC.noreboot=false"], "processor": "max", "screen": "virtio-vga",
               "uefi": ("/usr/share/OVMF/OVMF_CODE_4M.fd", "/usr/share/OVMF/OVMF_VARS_4M.fd")},
     "arm64": {"tty": "ttyAMA0",
               "command": ["qemu-system-aarch64", "-M", "virt"], "processor": "cortex-a72", "screen": "virtio-gpu-pci",
