@@ -91,7 +91,7 @@ class UpdateCheck(Check):
         return bundle
 
     def make_bundles(self):
-        """The four of the test, and the stick with the first."""
+        """Those of the test, and the stick with the first."""
         present = subprocess.check_output(["dpkg-deb", "--field", self.options.bundle, "Version"], text=True).strip()
         base = present.split("-")[0]
         self.versions = {"first": present, "next": f"{base}-30000101", "silent": f"{base}-30000102", "hanging": f"{base}-30000103"}

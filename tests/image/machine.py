@@ -58,7 +58,7 @@ def put_files(image, tty, files=()):
     folders = {"/".join(path.split("/")[:depth]) for path, _, _ in entries for depth in range(1, path.count("/") + 1)}
     entries = [(folder, 0o40755, b"") for folder in sorted(folders)] + entries
     scripts = "scripts/local-bottom/"  # of initramfs-tools
-    script = f'#!/bin/sh\n[ -e "$rootmnt/{units}test-shell@.service" ] || (cd "$rootmnt" && cpio -i -d -u </test-files)\n'
+    script = f'#!/bin/sh\n[ -e "$rootmnt/{units}test-shell@.service" ] || (cd "$rootmnt" && cpio -i </test-files)\n'
     more = archive([("test-files", 0o100644, archive(entries)), (scripts + "test_files", 0o100755, script.encode()),
                     (scripts + "ORDER", 0o100644, f'/{scripts}campanel "$@"\n/{scripts}test_files "$@"\n'.encode())])
     boot, place = f"{image}@@{partition(image, 1)[0]}", "::/loader/entries/campanel-a.conf"
