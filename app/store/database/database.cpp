@@ -32,6 +32,9 @@ enum class Code {
 
 StoreError::Kind kindOf(int code)
 {
+    // The index of the write-ahead log, which a reader needs too, finds no room.
+    if (code == SQLITE_IOERR_SHMSIZE)
+        return StoreError::Kind::Full;
     switch (static_cast<Code>(code & 0xFF)) {
     case Code::Full:
         return StoreError::Kind::Full;

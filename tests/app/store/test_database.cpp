@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The database: created, opened again, damaged, full, written by a newer version; the thread that owns it.
 #include "app/store/store_thread.h"
+#include "tests/support/full_disk.h"
 #include "tests/support/test_program.h"
 
 #include <QDir>
@@ -59,6 +60,7 @@ private slots:
     void damagedFileGivesWayToItsCopy();
     void damagedFileWithoutACopyIsKeptBeside();
     void fullDiskLosesNothing();
+    void fullDiskIsSaidWhenItOpens();
     void folderThatCannotBeMade();
     void jobsAreDoneInOrderAndBeforeTheEnd();
     void jobsWaitForTheOpening();
@@ -217,6 +219,20 @@ void TestDatabase::fullDiskLosesNothing()
     QCOMPARE(recipes(*database), 1);
     QVERIFY(database->execute(u"PRAGMA max_page_count = 100000"_s));
     QVERIFY(addRecipe(*database, u"after"_s));
+}
+
+// SQLite wants room beside the file even for reading.
+void TestDatabase::fullDiskIsSaidWhenItOpens()
+{
+    const QTemporaryDir folder;
+    QVERIFY(addRecipe(*opened(folder), u"kept"_s));
+    {
+        const campanel::test::FullDisk full(16); // a file can be made, as on a disk
+        const auto refused = Database::open(folder.path());
+        QVERIFY(!refused);
+        QCOMPARE(refused.error().kind, StoreError::Kind::Full);
+    }
+    QCOMPARE(recipes(*opened(folder)), 1);
 }
 
 void TestDatabase::folderThatCannotBeMade()
