@@ -94,12 +94,17 @@ class Check:
         finally:
             machine.cut()
 
+    @staticmethod
+    def tells(machine, pattern):
+        """Whether the panel says it, in the language that it has."""
+        return machine.wait_for(f"journalctl -b -u campanel-kiosk -o cat --no-pager | grep -qE '{pattern}' && echo told", "told", 300)
+
     def another_version(self, machine):
         """The data of a later panel: SQLite keeps the version of the tables in the bytes 60 to 63."""
         store = machine.shell("find /run/campanel-data -name campanel.sqlite")
         machine.shell(f"systemctl stop campanel-kiosk; cp -p {store} /run/kept; printf '\\000\\001\\000\\000' | dd of={store} bs=1 seek=60 conv=notrunc; "
                       "systemctl start campanel-kiosk")
-        self.report("says that its data are of a newer version", machine.wait_for("journalctl -b -u campanel-kiosk -o cat --no-pager", "written by a newer version", 300))
+        self.report("says that its data are of a newer version", self.tells(machine, "newer version|neueren Version|更新版本"))
         machine.drain(5)
         machine.picture("newer-data")
         machine.shell(f"systemctl stop campanel-kiosk; cp -p /run/kept {store}")
@@ -109,9 +114,9 @@ class Check:
         try:
             self.report("opens the panel on a full card", seconds is not None, seconds and f"picture after {seconds:.0f} s")
             self.report("the card is full", machine.shell("df --output=avail /run/campanel-data | tail -n 1") == "0")
-            machine.drain(20)
+            self.report("says so", self.tells(machine, "disk is full|Datenträger ist voll|磁盘已满"))
+            machine.drain(5)
             machine.picture("full")
-            print(machine.shell("systemctl --failed --no-legend; journalctl -b -u campanel-kiosk -o cat --no-pager | tail -n 20"))
         finally:
             machine.cut()
 
@@ -230,7 +235,7 @@ class Check:
         try:
             self.report(f"opens the panel {name}", seconds is not None, seconds and f"picture after {seconds:.0f} s")
             reason = machine.shell("cat /run/campanel-no-data")
-            self.report("says so", wanted in reason and machine.wait_for("journalctl -b -u campanel-kiosk -o cat --no-pager", "data cannot be used", 300), reason)
+            self.report("says so", wanted in reason and self.tells(machine, "data cannot be used"), reason)
             machine.drain(5)
             machine.picture(name.replace(" ", "-"))
         finally:
