@@ -13,7 +13,7 @@ OfferSheet {
     readonly property bool hasWayBack: SoftwareUpdate.backVersion.length > 0
 
     title: qsTr("Update")
-    note: qsTr("Installed: CamPanel %1").arg(Qt.application.version)
+    note: qsTr("Installed: CamPanel %1").arg(SoftwareUpdate.installedVersion || Qt.application.version)
     exchange: SoftwareUpdate
     offers: SoftwareUpdate.found
     level: Access.Service

@@ -51,6 +51,15 @@ private slots:
         QVERIFY(!m_window->find(u"offerGo"_s)->isEnabled());
     }
 
+    void theSheetNamesTheInstalledSystem()
+    {
+        update().setInstalled([] {
+            return campanel::store::PackageId{u"campanel-system"_s, u"0.1.0-20260115"_s, u"amd64"_s};
+        });
+        openUpdate();
+        QCOMPARE(textOf("sheetNote"), u"Installed: CamPanel 0.1.0-20260115"_s);
+    }
+
     void aRefusalIsReadInTheSheet()
     {
         addPackage(u"0.2.0"_s);

@@ -31,6 +31,8 @@ class SoftwareUpdate : public campanel::panel::FileExchange, public Singleton<So
     Q_PROPERTY(QString stateText READ stateText NOTIFY changed FINAL)
     // The packages on a stick or in the panel's own folder.
     Q_PROPERTY(campanel::panel::RowModelBase* found READ found CONSTANT FINAL)
+    // The version on this panel; empty: not searched yet, or not installed as a package.
+    Q_PROPERTY(QString installedVersion READ installedVersion NOTIFY changed FINAL)
     // The version that can be put back; empty: none.
     Q_PROPERTY(QString backVersion READ backVersion NOTIFY changed FINAL)
     // Why nothing can be installed now; empty: it can.
@@ -63,6 +65,7 @@ public:
     [[nodiscard]] bool available() const { return m_isAvailable; }
     [[nodiscard]] QString stateText() const;
     [[nodiscard]] OfferModel* found() { return &m_found; }
+    [[nodiscard]] QString installedVersion() const;
     [[nodiscard]] QString backVersion() const;
     [[nodiscard]] QString blockedReason() const;
     [[nodiscard]] QString question() const;
@@ -102,7 +105,6 @@ private:
     void showRows();
     [[nodiscard]] OfferRow row(const store::PackageOffer& offer) const;
     [[nodiscard]] bool require();
-    [[nodiscard]] QString installedVersion() const;
     void send(const QString& method, const QVariantList& arguments, const SystemService::Handler& handler);
     void askForUnit();
     void startUnit();
