@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Tests the update of a whole system in QEMU, with bundles made of the one that packaging/image made: one from a stick is installed, started and
-kept, and taken back again; one that does not open its window is left; one that is damaged and one of a stranger are refused; and a power cut
+kept, and taken back again, by finger; one that does not open its window or hangs is left; one that is damaged and one of a stranger are refused; and a power cut
 with lost writes at any moment leaves a whole system in the place that every boot starts. Prints one line per step; ends with 1 when one has
 failed."""
 
@@ -15,7 +15,7 @@ import subprocess
 import sys
 import time
 
-from check_image import Check
+from check_image import SETTINGS, Check
 from machine import partition
 from power_cuts import PowerCuts
 
@@ -23,6 +23,11 @@ HOME = "/var/lib/campanel-update"
 STAGING = "/var/lib/campanel/update"
 PLACES = {"a": 2, "b": 3}
 UPDATE_S = 1800  # without KVM, beside other work
+# What a finger does on a screen of 1024x600 in English, each touch with the seconds until the next one: the message about the key on the card,
+# language, controller, access, machine, download, finish; then Settings, About, Update, the version on the stick, Update, the question.
+FIRST_START = ((848, 107, 5), (816, 545, 8), (816, 545, 25), (816, 545, 8), (816, 545, 10), (446, 545, 30), (655, 545, 10))
+CHOOSE_UPDATE = ((46, 550, 10), (250, 534, 10), (658, 545, 30), (450, 162, 8), (755, 545, 8))
+CONFIRM_UPDATE = (705, 415, 5)
 
 
 def run(*command, **more):
@@ -146,6 +151,21 @@ class UpdateCheck(Check):
         shutil.copyfile(self.path("builder.json"), os.path.join(folder, "campanel/package-keys/builder.json"))
         run("mcopy", "-s", "-i", boot, os.path.join(folder, "campanel"), "::/")
 
+    @staticmethod
+    def touch(machine, *touches):
+        for x, y, seconds in touches:
+            machine.tap(x, y)
+            machine.drain(seconds)
+
+    def update_by_finger(self, machine):
+        machine.shell(f"rm -f {HOME}/outcome")
+        machine.plug_stick()
+        self.touch(machine, *CHOOSE_UPDATE)
+        machine.picture("question")
+        self.touch(machine, CONFIRM_UPDATE)
+        self.report("a finger starts the update", machine.wait_for("journalctl -b -u campanel-update -o cat --no-pager", "Starting", 600))
+        machine.pull_stick()
+
     def request(self, machine, word="update"):
         """What the panel does when a technician has confirmed, after it has copied the files of the stick."""
         if word == "update":
@@ -202,13 +222,16 @@ class UpdateCheck(Check):
         self.key_on_card(disk)
         machine = self.open(disk)
         self.report("the key of the builder is taken", machine.wait_for("ls /etc/campanel/package-keys", "builder.json", 60))
+        machine.drain(20)
+        self.touch(machine, *FIRST_START)
+        self.report("a finger goes through the first start", machine.wait_for(f"cat {SETTINGS}", "first_start=done", 60))
         self.report("the panel has its database", machine.wait_for("find /var/lib/campanel -size +0 -name 'campanel.sqlite'", "campanel.sqlite", 120))
         machine.shell("sync")
         machine.cut()
         run("cp", "--sparse=always", disk, self.path("before.img"))
         machine = self.open(disk, log=self.path("update.log"))
         try:
-            self.request(machine)
+            self.update_by_finger(machine)
             if not self.expect("updates", machine, "done", "", "next", "b"):
                 return
             machine.drain(5)
