@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Tests the update of a whole system in QEMU, with bundles made of the one that packaging/image made: one from a stick is installed, started and
-kept, and taken back again, by finger; one that does not open its window or hangs is left; one that is damaged and one of a stranger are refused; and a power cut
-with lost writes at any moment leaves a whole system in the place that every boot starts. Prints one line per step; ends with 1 when one has
-failed."""
+"""Tests the update of a whole system in QEMU, with bundles made of the one that packaging/image made: one from a stick is installed by finger,
+started and kept, and taken back again; one that does not open its window and one that hangs are left; one that is damaged and one of a stranger
+are refused; and a power cut with lost writes at any moment leaves a whole system in the place that every boot starts. Prints one line per step;
+ends with 1 when one has failed."""
 
 import argparse
 import hashlib
