@@ -90,7 +90,7 @@ class Check:
                 self.report("the time goes on", first_line > self.last_time, f"the kiosk began {first_line - self.last_time:.0f} s after the last known time")
                 machine.picture("made-ready")
                 self.another_version(machine)
-                machine.shell("dd if=/dev/zero of=/run/campanel-data/fill bs=1M; sync")
+                machine.shell("dd if=/dev/zero of=/run/campanel-data/fill bs=1M; sync", 300)
         finally:
             machine.cut()
 
@@ -102,12 +102,14 @@ class Check:
     def another_version(self, machine):
         """The data of a later panel: SQLite keeps the version of the tables in the bytes 60 to 63."""
         store = machine.shell("find /run/campanel-data -name campanel.sqlite")
+        machine.shell("mkdir -p /run/systemd/system/campanel-kiosk.service.d; printf '[Service]\\nTimeoutStopSec=100\\n' "
+                      ">/run/systemd/system/campanel-kiosk.service.d/slow.conf; systemctl daemon-reload")  # so that it closes the database
         machine.shell(f"systemctl stop campanel-kiosk; cp -p {store} /run/kept; printf '\\000\\001\\000\\000' | dd of={store} bs=1 seek=60 conv=notrunc; "
-                      "systemctl start campanel-kiosk")
+                      "systemctl start campanel-kiosk", 300)
         self.report("says that its data are of a newer version", self.tells(machine, "newer version|neueren Version|更新版本"))
         machine.drain(5)
         machine.picture("newer-data")
-        machine.shell(f"systemctl stop campanel-kiosk; cp -p /run/kept {store}")
+        machine.shell(f"systemctl stop campanel-kiosk; cp -p /run/kept {store}", 300)
 
     def full(self, disk):
         machine, seconds = self.start(disk)

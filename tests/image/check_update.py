@@ -24,10 +24,11 @@ STAGING = "/var/lib/campanel/update"
 PLACES = {"a": 2, "b": 3}
 UPDATE_S = 1800  # without KVM, beside other work
 # What a finger does on a screen of 1024x600 in English, each touch with the seconds until the next one: the message about the key on the card,
-# language, controller, access, machine, download, finish; then Settings, About, Update, the version on the stick, Update, the question.
+# language, controller, access, machine, download, finish; Settings, About, Update; the version on the stick; Update, the question.
 FIRST_START = ((848, 107, 5), (816, 545, 8), (816, 545, 25), (816, 545, 8), (816, 545, 10), (446, 545, 30), (655, 545, 10))
-CHOOSE_UPDATE = ((46, 550, 10), (250, 534, 10), (658, 545, 30), (450, 162, 8), (755, 545, 8))
-CONFIRM_UPDATE = (705, 415, 5)
+OPEN_UPDATE = ((46, 550, 10), (250, 534, 10), (658, 545, 10))
+CHOOSE_VERSION = (450, 162, 5)
+UPDATE, CONFIRM = (755, 545, 8), (705, 415, 5)
 
 
 def run(*command, **more):
@@ -160,10 +161,17 @@ class UpdateCheck(Check):
     def update_by_finger(self, machine):
         machine.shell(f"rm -f {HOME}/outcome")
         machine.plug_stick()
-        self.touch(machine, *CHOOSE_UPDATE)
+        self.touch(machine, *OPEN_UPDATE)
+        end = time.time() + 600
+        while time.time() < end:  # the panel reads the whole bundle
+            self.touch(machine, CHOOSE_VERSION)
+            red, _, blue = machine.picture("versions").at(640, 560)
+            if blue > red + 60:  # the key can be pressed
+                break
+        self.touch(machine, UPDATE)
         machine.picture("question")
-        self.touch(machine, CONFIRM_UPDATE)
-        self.report("a finger starts the update", machine.wait_for("journalctl -b -u campanel-update -o cat --no-pager", "Starting", 600))
+        self.touch(machine, CONFIRM)
+        self.report("a finger starts the update", machine.wait_for("systemctl is-active campanel-update", "activating", 600))
         machine.pull_stick()
 
     def request(self, machine, word="update"):

@@ -80,6 +80,11 @@ class Picture:
         self.width, self.height = int(width), int(height)
         self.pixels = data[-3 * self.width * self.height:]
 
+    def at(self, x, y):
+        """Red, green and blue."""
+        at = 3 * (self.width * y + x)
+        return self.pixels[at:at + 3]
+
     def sample(self):
         """Every third pixel of every third row."""
         for y in range(0, self.height, 3):
