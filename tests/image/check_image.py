@@ -261,7 +261,7 @@ class Check:
         if not self.failed:
             self.power_cuts_of_partitions()
             self.power_cuts()
-            self.without_data("without its data", self.overwrite_data, "is damaged")
+            self.without_data("without its data", self.overwrite_data, "has lost its files")
             self.without_data("on a card that is too small", lambda disk: os.truncate(disk, 1_000_000_000), "smaller than 2 GB")
 
     def run(self):

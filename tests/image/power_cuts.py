@@ -93,6 +93,8 @@ class PowerCuts:
         for folder, _, names in os.walk(files):
             for name in names:
                 path = os.path.join(folder, name)
+                if name.endswith("-journal"):
+                    continue  # SQLite removes it with its database
                 with open(path, "rb") as file:
                     if file.read(15) != b"SQLite format 3":
                         continue
