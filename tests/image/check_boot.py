@@ -70,6 +70,8 @@ class BootCheck(Check):
                     return
                 times[name].append(seconds)
             behind.append(self.connected())
+            if behind[-1] is None or behind[-1] > CONNECTED_S:
+                print(self.log, flush=True)
         print(self.chain, flush=True)
         middle = {name: statistics.median(values) for name, values in times.items()}
         ratio = middle["panel"] / middle["empty"]
