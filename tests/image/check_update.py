@@ -115,12 +115,13 @@ class UpdateCheck(Check):
             os.chmod(path, 0o755)
         self.bundles["silent"] = self.make_bundle(self.versions["silent"], without_window)
 
-        # As a driver that never returns: nothing else runs, but for the watchdog of the computer, which Linux has started by then.
+        # As a driver that never returns: nothing else runs, but for the computer's watchdog, which Linux has started by then.
         def hanging(tree):
             units = os.path.join(tree, "usr/lib/systemd/system")
             with open(os.path.join(units, "hanging.service"), "w") as file:
-                file.write("[Service]\nExecStart=/bin/sh -c 'until [ -e /dev/watchdog ]; do sleep 1; done; sleep 5; echo -1 >/proc/sys/kernel/sched_rt_runtime_us; for core in 1 2 3 4; do "
-                           "chrt -f 99 sh -c \"while :; do :; done\" & done; wait'\n")
+                file.write("[Service]\nExecStart=/bin/sh -c 'until [ -e /dev/watchdog ]; do sleep 1; done; sleep 5; "
+                           "echo -1 >/proc/sys/kernel/sched_rt_runtime_us; "
+                           "for core in 1 2 3 4; do chrt -f 99 sh -c \"while :; do :; done\" & done; wait'\n")
             os.makedirs(os.path.join(units, "multi-user.target.wants"), exist_ok=True)
             os.symlink("../hanging.service", os.path.join(units, "multi-user.target.wants/hanging.service"))
         if self.options.architecture == "amd64":  # QEMU's computer for arm64 has no watchdog

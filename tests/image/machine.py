@@ -82,8 +82,8 @@ class Picture:
 
     def at(self, x, y):
         """Red, green and blue."""
-        at = 3 * (self.width * y + x)
-        return self.pixels[at:at + 3]
+        start = 3 * (self.width * y + x)
+        return self.pixels[start:start + 3]
 
     def sample(self):
         """Every third pixel of every third row."""

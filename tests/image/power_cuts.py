@@ -89,21 +89,20 @@ class PowerCuts:
         subprocess.run(["rm", "-rf", files], check=True)
         os.mkdir(files)
         subprocess.run(["debugfs", "-R", f"rdump /system/upper/var/lib/campanel {files}", data], capture_output=True, check=True)
-        found, databases = [], 0
-        for folder, _, names in os.walk(files):
-            for name in names:
-                path = os.path.join(folder, name)
-                if name.endswith("-journal"):
-                    continue  # SQLite removes it with its database
-                with open(path, "rb") as file:
-                    if file.read(15) != b"SQLite format 3":
-                        continue
-                databases += 1
-                try:
-                    with sqlite3.connect(path) as database:
-                        answer = database.execute("pragma integrity_check").fetchone()[0]
-                except sqlite3.Error as error:
-                    answer = str(error)
-                if answer != "ok":
-                    found.append(f"{name}: {answer}")
+        paths = [os.path.join(folder, name) for folder, _, names in os.walk(files) for name in names]
+        databases = [path for path in paths if self.is_database(path)]  # all of them first: opening one removes its journal
+        found = []
+        for path in databases:
+            try:
+                with sqlite3.connect(path) as database:
+                    answer = database.execute("pragma integrity_check").fetchone()[0]
+            except sqlite3.Error as error:
+                answer = str(error)
+            if answer != "ok":
+                found.append(f"{os.path.basename(path)}: {answer}")
         return found if databases else ["no database"]
+
+    @staticmethod
+    def is_database(path):
+        with open(path, "rb") as file:
+            return file.read(15) == b"SQLite format 3"
