@@ -140,6 +140,9 @@ int runPanel(const shell::Options& options, const shell::ReadConfiguration& read
     if (!panel.load(options.size.value_or(panel::sizeIn(configuration.text("display.size")))))
         return EXIT_FAILURE;
     const shell::ServiceWatchdog watchdog(manager, link, panel.window());
+    if (diskLost.isEmpty()) // else the panel was set up, and the machine's configuration applies
+        panel.settings().offerFirstStart(panel.wasSetUp());
+    panel.open();
     if (options.isFullScreen || options.isKiosk || configuration.isTrue("display.fullscreen"))
         panel.window().showFullScreen();
     else
@@ -151,16 +154,13 @@ int runPanel(const shell::Options& options, const shell::ReadConfiguration& read
     });
     QObject::connect(
         &panel.window(), &QQuickWindow::frameSwapped, &panel,
-        [&panel, &options, &diskLost] {
+        [&options] {
             if (options.isKiosk)
                 shell::noteScreenWorks({});
             if (options.isFirstFrameAnnounced) {
                 std::puts("first frame");
                 std::fflush(stdout);
             }
-            if (diskLost.isEmpty()) // else the panel was set up, and the machine's configuration applies
-                panel.settings().offerFirstStart(panel.wasSetUp());
-            panel.open();
         },
         Qt::ConnectionType(Qt::AutoConnection | Qt::SingleShotConnection));
     return QGuiApplication::exec();

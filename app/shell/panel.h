@@ -99,8 +99,8 @@ public:
 
     // Returns true when this panel's folder has data of an earlier run.
     [[nodiscard]] bool wasSetUp() const { return m_wasSetUp; }
-    // Connects to the controller and opens the databases. Call it after the first frame: line and disk can
-    // wait, a person cannot.
+    // Connects to the controller and opens the databases, in their threads. Call it before the window is
+    // shown: a Stop needs the line as soon as it can be touched.
     void open();
 
     // Loads the window, hidden, at its size from the first binding on, because a later resize lays out all
