@@ -53,7 +53,7 @@ class BootCheck(Check):
         return seconds
 
     def connected(self):
-        """The guest's seconds from the ready panel to the connected controller."""
+        """The guest's seconds from the ready panel to the connected controller; negative: it was connected before."""
         def at(text):
             found = re.search(r"\[ *([0-9.]+)\][^\n]*" + text, self.log)
             return float(found.group(1)) if found else None
