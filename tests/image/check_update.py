@@ -23,12 +23,12 @@ HOME = "/var/lib/campanel-update"
 STAGING = "/var/lib/campanel/update"
 PLACES = {"a": 2, "b": 3}
 UPDATE_S = 1800  # without KVM, beside other work
-# What a finger does on a screen of 1024x600 in English, each touch with the seconds until the next one: the message about the key on the card,
-# language, controller, access, machine, download, finish; Settings, About, Update; the version on the stick; Update, the question.
-FIRST_START = ((848, 107, 5), (816, 545, 8), (816, 545, 25), (816, 545, 8), (816, 545, 10), (446, 545, 30), (655, 545, 10))
-OPEN_UPDATE = ((46, 550, 10), (250, 534, 10), (658, 545, 10))
-CHOOSE_VERSION = (450, 162, 5)
-UPDATE, CONFIRM = (755, 545, 8), (705, 415, 5)
+# What a finger does on a screen of 1024x600 in English, each touch with the seconds for which the page then stays: the message about the key on
+# the card, language, controller, access, machine, download, finish; Settings, About, Update; the version on the stick; Update, the question.
+FIRST_START = ((848, 107, 3), (816, 545, 4), (816, 545, 10), (816, 545, 4), (816, 545, 4), (446, 545, 15), (655, 545, 4))
+OPEN_UPDATE = ((46, 550, 3), (250, 534, 3), (658, 545, 3))
+CHOOSE_VERSION = (450, 162)
+UPDATE, CONFIRM = (755, 545, 3), (705, 415, 1)
 
 
 def run(*command, **more):
@@ -153,11 +153,11 @@ class UpdateCheck(Check):
         shutil.copyfile(self.path("builder.json"), os.path.join(folder, "campanel/package-keys/builder.json"))
         run("mcopy", "-s", "-i", boot, os.path.join(folder, "campanel"), "::/")
 
-    @staticmethod
-    def touch(machine, *touches):
+    def touch(self, machine, *touches):
         for x, y, seconds in touches:
-            machine.tap(x, y)
-            machine.drain(seconds)
+            if not machine.touch(x, y, seconds):
+                self.report(f"a touch of {x}, {y} changes the page", False)
+                machine.picture(f"touched-{x}-{y}")
 
     def update_by_finger(self, machine):
         machine.shell(f"rm -f {HOME}/outcome")
@@ -165,7 +165,8 @@ class UpdateCheck(Check):
         self.touch(machine, *OPEN_UPDATE)
         end = time.time() + 600
         while time.time() < end:  # the panel reads the whole bundle
-            self.touch(machine, CHOOSE_VERSION)
+            machine.tap(*CHOOSE_VERSION)
+            machine.drain(5)
             red, _, blue = machine.picture("versions").at(640, 560)
             if blue > red + 60:  # the key can be pressed
                 break

@@ -85,6 +85,11 @@ class Picture:
         start = 3 * (self.width * y + x)
         return self.pixels[start:start + 3]
 
+    def page(self):
+        """The pixels below the top bar and beside the command column: without clock and line."""
+        row = 3 * self.width
+        return b"".join(self.pixels[row * y:row * y + row * 7 // 8] for y in range(self.height // 10, self.height))
+
     def sample(self):
         """Every third pixel of every third row."""
         for y in range(0, self.height, 3):
@@ -202,6 +207,18 @@ class Machine:
         for down in (True, False):
             self.ask("input-send-event", events=[{"type": "btn", "data": {"button": "left", "down": down}}])
             time.sleep(0.12)
+
+    def touch(self, x, y, seconds):
+        """A tap that changes the page. Waits for the change, then until the page has stayed for some seconds; returns whether it changed."""
+        before = page = self.picture().page()
+        self.tap(x, y)
+        since, end = time.time(), time.time() + 120
+        while time.time() < end and (page == before or time.time() < since + seconds):
+            self.drain(1)
+            now = self.picture().page()
+            if now != page:
+                page, since = now, time.time()
+        return page != before
 
     def drain(self, seconds=0.0):
         end = time.time() + seconds
