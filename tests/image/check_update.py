@@ -173,7 +173,8 @@ class UpdateCheck(Check):
         self.touch(machine, UPDATE)
         machine.picture("question")
         self.touch(machine, CONFIRM)
-        self.report("a finger starts the update", machine.wait_for("systemctl is-active campanel-update", "activating", 600))
+        if not self.report("a finger starts the update", machine.wait_for("systemctl is-active campanel-update", "activating", 600)):
+            print(machine.shell("journalctl -b -u campanel-kiosk -o short-monotonic --no-pager | tail -n 30"), flush=True)
         machine.pull_stick()
 
     def request(self, machine, word="update"):
