@@ -26,7 +26,7 @@ UPDATE_S = 1800  # without KVM, beside other work
 # What a finger does on a screen of 1024x600 in English, each touch with the seconds for which the page then stays: the message about the key on
 # the card, language, controller, access, machine, download, finish; Settings, About, Update; the version on the stick; Update, the question.
 FIRST_START = ((848, 107, 3), (816, 545, 4), (816, 545, 10), (816, 545, 4), (816, 545, 4), (446, 545, 15), (655, 545, 4))
-OPEN_UPDATE = ((46, 550, 3), (250, 534, 3), (658, 545, 3))
+OPEN_UPDATE = ((46, 550, 6), (250, 534, 6), (658, 545, 6))
 CHOOSE_VERSION = (450, 162)
 UPDATE, CONFIRM = (755, 545, 3), (705, 415, 1)
 
@@ -162,6 +162,7 @@ class UpdateCheck(Check):
     def update_by_finger(self, machine):
         machine.shell(f"rm -f {HOME}/outcome")
         machine.plug_stick()
+        machine.settle(10)
         self.touch(machine, *OPEN_UPDATE)
         end = time.time() + 600
         while time.time() < end:  # the panel reads the whole bundle
@@ -233,7 +234,7 @@ class UpdateCheck(Check):
         self.key_on_card(disk)
         machine = self.open(disk)
         self.report("the key of the builder is taken", machine.wait_for("ls /etc/campanel/package-keys", "builder.json", 60))
-        machine.drain(20)
+        machine.settle(10)
         self.touch(machine, *FIRST_START)
         self.report("a finger goes through the first start", machine.wait_for(f"cat {SETTINGS}", "first_start=done", 60))
         self.report("the panel has its database", machine.wait_for("find /var/lib/campanel -size +0 -name 'campanel.sqlite'", "campanel.sqlite", 120))

@@ -208,17 +208,22 @@ class Machine:
             self.ask("input-send-event", events=[{"type": "btn", "data": {"button": "left", "down": down}}])
             time.sleep(0.12)
 
-    def touch(self, x, y, seconds):
-        """A tap that changes the page. Waits for the change, then until the page has stayed for some seconds; returns whether it changed."""
-        before = page = self.picture().page()
-        self.tap(x, y)
-        since, end = time.time(), time.time() + 120
-        while time.time() < end and (page == before or time.time() < since + seconds):
+    def settle(self, seconds, since=None):
+        """Waits until the page is another one than `since` and has stayed for some seconds; returns whether it is another one."""
+        page = self.picture().page()
+        stays, end = time.time(), time.time() + 120
+        while time.time() < end and (page == since or time.time() < stays + seconds):
             self.drain(1)
             now = self.picture().page()
             if now != page:
-                page, since = now, time.time()
-        return page != before
+                page, stays = now, time.time()
+        return page != since
+
+    def touch(self, x, y, seconds):
+        """A tap that changes a page which stays; returns whether it has changed, and stays again."""
+        before = self.picture().page()
+        self.tap(x, y)
+        return self.settle(seconds, before)
 
     def drain(self, seconds=0.0):
         end = time.time() + seconds
