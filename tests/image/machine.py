@@ -208,19 +208,19 @@ class Machine:
             self.ask("input-send-event", events=[{"type": "btn", "data": {"button": "left", "down": down}}])
             time.sleep(0.12)
 
-    def settle(self, seconds, since=None):
-        """Waits until the page is another one than `since` and has stayed for some seconds; returns whether it is another one."""
+    def settle(self, seconds, before=None):
+        """Waits until the page differs from `before` and has stayed for some seconds; returns whether it differs."""
         page = self.picture().page()
-        stays, end = time.time(), time.time() + 120
-        while time.time() < end and (page == since or time.time() < stays + seconds):
+        changed, end = time.time(), time.time() + 120
+        while time.time() < end and (page == before or time.time() < changed + seconds):
             self.drain(1)
             now = self.picture().page()
             if now != page:
-                page, stays = now, time.time()
-        return page != since
+                page, changed = now, time.time()
+        return page != before
 
     def touch(self, x, y, seconds):
-        """A tap that changes a page which stays; returns whether it has changed, and stays again."""
+        """Taps, and waits until the page has changed and then stayed for some seconds; returns whether it has changed."""
         before = self.picture().page()
         self.tap(x, y)
         return self.settle(seconds, before)
